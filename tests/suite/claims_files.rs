@@ -352,3 +352,24 @@ fn a_page_of_claims_says_that_formulas_and_loads_are_compared_in_decimals() {
     let page = text(&report::claims_page(&claims(&claim("I4", "no free moment")).expect("it reads")), Format::GITHUB);
     assert!(page.contains("except values in newtons, loads and formulas, which are compared in decimals."), "{page}");
 }
+
+/// The words of the program have German; the message of an error stays, with the numbers and the signs of TOML in it.
+#[test]
+fn reasons_are_german_and_no_comma_is_put_into_the_message_of_an_error() {
+    let folder = scratch("german-reasons");
+    fs::write(folder.join("four.toml"), "inline = { throws = [0, 180, 180, 0], spacing = '0.1 m' }\n")
+        .expect("a layout");
+    let claimed = claim("I8-44", "fires evenly") + &claim("four.toml", "worst main bearings 2 and 3");
+    fs::write(folder.join("claims.toml"), claimed).expect("claims");
+    let output = program::call(&[
+        "check",
+        &folder.join("claims.toml").display().to_string(),
+        "--lang",
+        "de",
+        "--format",
+        "markdown",
+    ]);
+    let told = String::from_utf8(output.stdout).expect("a text");
+    assert!(told.contains("die Kröpfungen erlauben"), "{told}");
+    assert!(!told.contains("0,15") && told.contains("0.15"), "{told}");
+}

@@ -1,5 +1,7 @@
 //! What is the answer to a claim? A status, what is the case, and the evidence.
 
+use std::borrow::Cow;
+
 use num_rational::BigRational;
 
 use super::finding::Finding;
@@ -116,7 +118,7 @@ pub struct Answer {
 }
 
 impl Answer {
-    pub(super) fn nothing(reason: &str) -> Self {
-        Answer { status: Status::NotDecided, finding: Finding::Nothing(reason.to_owned()), evidence: Vec::new() }
+    pub(super) fn nothing(reason: impl Into<Cow<'static, str>>) -> Self {
+        Answer { status: Status::NotDecided, finding: Finding::Nothing(reason.into()), evidence: Vec::new() }
     }
 }

@@ -89,7 +89,7 @@ pub(super) fn free(engine: &Engine) -> Answer {
 }
 
 /// That a claim on every order is false, by the first order that is so.
-fn refuted(engine: &Engine, first: u32, is_so: impl Fn(&OrderVerdict) -> bool, open: &str) -> Answer {
+fn refuted(engine: &Engine, first: u32, is_so: impl Fn(&OrderVerdict) -> bool, open: &'static str) -> Answer {
     let fastest = loads::speeds(engine).max().unwrap_or(1) as usize;
     let last = 2 * fastest * (engine.cylinders().len() + 1);
     let orders = ORDERS.take(last).skip_while(|order| *order < first);

@@ -1,5 +1,7 @@
 //! What is the case, whatever is claimed of it?
 
+use std::borrow::Cow;
+
 use num_rational::BigRational;
 
 use super::formula::{Measured, Powers, Wave};
@@ -62,8 +64,8 @@ pub enum Finding {
     },
     /// Counterweights, found for a claim that some can do it.
     Witness(Box<Witness>),
-    /// Nothing could be found out, for this reason.
-    Nothing(String),
+    /// Nothing could be found out, for this reason: words of this room, or the message of an error.
+    Nothing(Cow<'static, str>),
 }
 
 /// A largest value in newtons or newton-metres.

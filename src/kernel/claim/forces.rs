@@ -102,7 +102,7 @@ fn of_cylinder(rest: &str, what: Measured) -> Result<OfCylinder, ClaimError> {
 pub(super) fn formula(engine: &Engine, says: &OfCylinder) -> Answer {
     let parts = match Parts::new(engine) {
         Ok(parts) => parts,
-        Err(lack) => return Answer::nothing(&lack),
+        Err(lack) => return Answer::nothing(lack),
     };
     let nowhere = || Extreme { value: 0.0, angle: 0.0 };
     let (mut largest, mut off, mut angles) = (nowhere(), nowhere(), 0);
@@ -117,7 +117,7 @@ pub(super) fn formula(engine: &Engine, says: &OfCylinder) -> Answer {
         let measured = known(parts.measured(says.what, psi));
         let told = says.formula.value(&|letter| known(parts.letter(letter, psi)));
         if let Some(lack) = lack.into_inner() {
-            return Answer::nothing(&lack);
+            return Answer::nothing(lack);
         }
         if !(measured.is_finite() && told.is_finite()) {
             return Answer::nothing("the formula has no value at some crank angle");
@@ -181,7 +181,7 @@ pub(super) fn largest(engine: &Engine, of: Loaded, value: &Value) -> Answer {
         Ok((masses::decimal(value, found.peak.value)?, found))
     });
     match found {
-        Err(reason) => Answer::nothing(&reason),
+        Err(reason) => Answer::nothing(reason),
         Ok((status, found)) => Answer { status, finding: Finding::Largest(found), evidence: Vec::new() },
     }
 }

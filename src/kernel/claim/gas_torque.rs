@@ -69,14 +69,14 @@ pub(super) fn answer(engine: &Engine, orders: &[CycleOrder], says: GasTorque, we
     }
     match says {
         GasTorque::Vanishes(claimed) => match firing::firing_stars(engine, orders, weights) {
-            Err(why) => Answer::nothing(&why.to_string()),
+            Err(why) => Answer::nothing(why.to_string()),
             Ok(found) => {
                 let holds = found.iter().all(|order| order.vanishes() == claimed);
                 answered(holds, &found, found.iter())
             }
         },
         GasTorque::StrongestMinor => match firing::pattern(engine, weights) {
-            Err(why) => Answer::nothing(&why.to_string()),
+            Err(why) => Answer::nothing(why.to_string()),
             Ok(pattern) if pattern.orders.iter().any(|order| order.only().is_none()) => {
                 Answer::nothing("the rods differ, so that no order of the gas torque is a single star")
             }

@@ -115,7 +115,7 @@ pub(super) fn decimal(value: &Value, peak: f64) -> Result<Status, String> {
 fn of_bearings(engine: &Engine, judge: impl Fn(&BearingLoads) -> Result<Status, String>) -> Answer {
     let loads = loads::bearing_loads(engine, &loads::usual_bearing_orders(engine), Method::Continuous);
     match loads.map_err(|missing| missing.to_string()).and_then(|loads| Ok((judge(&loads)?, loads))) {
-        Err(reason) => Answer::nothing(&reason),
+        Err(reason) => Answer::nothing(reason),
         Ok((status, loads)) => Answer { status, finding: Finding::Bearings(Box::new(loads)), evidence: Vec::new() },
     }
 }

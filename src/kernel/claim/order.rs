@@ -61,7 +61,7 @@ pub(super) fn answer(engine: &Engine, subject: Subject, predicate: &Predicate, n
     }
     let whole = match masses::judged(engine, subject.order, subject.masses) {
         Ok(whole) => whole,
-        Err(reason) => return Answer::nothing(&reason),
+        Err(reason) => return Answer::nothing(reason),
     };
     let Some(order) = masses::one_sum(engine, &whole, subject.masses) else {
         return classes::one(whole, subject, predicate);

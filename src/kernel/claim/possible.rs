@@ -57,7 +57,7 @@ pub(super) fn parse(text: &str) -> Result<Statement, ClaimError> {
 pub(super) fn answer(engine: &Engine, claimed: &Possible) -> Answer {
     let subject = match ComparableEngine::new(engine) {
         Ok(subject) => subject,
-        Err(missing) => return Answer::nothing(&missing.to_string()),
+        Err(missing) => return Answer::nothing(missing.to_string()),
     };
     let plane = engine.reference_plane();
     let [force, moment] = Planar::BOTH.map(|quantity| order::all_masses(engine, quantity, 1, Sense::Direct));

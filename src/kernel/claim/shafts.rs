@@ -50,7 +50,7 @@ pub(super) fn parse(text: &str) -> Option<Result<Statement, ClaimError>> {
 pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
     let judged = match Judgement::new(engine, &[order], &Quantity::PLANAR) {
         Ok(judged) => judged,
-        Err(number) => return Answer::nothing(&number.to_string()),
+        Err(number) => return Answer::nothing(number.to_string()),
     };
     let Some(verdict) = judged.orders.first() else { return Answer::nothing("no order was decided") };
     let Some([direct, reverse]) = left(verdict) else {
@@ -58,7 +58,7 @@ pub(super) fn answer(engine: &Engine, order: u32, claimed: Shafts) -> Answer {
     };
     let remedy = match remedy(engine, &Request { orders: vec![order], ..Request::default() }) {
         Ok(remedy) => remedy,
-        Err(refused) => return Answer::nothing(&refused.to_string()),
+        Err(refused) => return Answer::nothing(refused.to_string()),
     };
     if remedy.resized().any(|plane| !plane.becomes.is_on_the_crank() || plane.becomes.vector.vanishes()) {
         return Answer::nothing(OWN);

@@ -1,5 +1,7 @@
 //! How is the answer to a claim put in words: whether it holds, and what is the case?
 
+use std::borrow::Cow;
+
 use super::super::residual;
 use super::super::typeset::{self, Amount};
 use super::orders::Asked;
@@ -11,6 +13,7 @@ use crate::page::{Text, Unit, number, phrase};
 use crate::proof::{Quantity, Sense, Shape};
 use crate::remedy::{Remedy, Shaft};
 use crate::report::texts::claims as text;
+use crate::text::Untrusted;
 use crate::verdict::{Balance, OrderBalance, OrderVerdict, TorquePart, Verdict};
 
 /// `true`, `false`, `true only if …`.
@@ -87,7 +90,9 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
         (Finding::Largest(found), _) => forces::largest(found),
         (Finding::Agreement(found), _) => forces::agreement(found),
         (Finding::Witness(found), _) => counterweights::found(found, &answer.status),
-        (Finding::Nothing(reason), _) => phrase!("{}.", reason.clone()),
+        (Finding::Nothing(Cow::Borrowed(reason)), _) => phrase!("{}.", *reason),
+        // The message of an error stays as it is, its decimals and lists too.
+        (Finding::Nothing(Cow::Owned(message)), _) => phrase!("{}.", &Untrusted::new(message.as_str())),
     }
 }
 
