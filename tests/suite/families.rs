@@ -469,3 +469,10 @@ fn throws_that_are_open_are_called_angles_and_no_pin_split() {
     assert!(throw.contains("over the angle δ.") && !throw.contains("the pin split δ"), "{throw}");
     assert!(said("report", V6_SPLIT, &["--format", "markdown"]).contains("over bank angle and pin split, "));
 }
+
+#[test]
+fn a_difference_of_lengths_is_told_by_its_size_and_where_it_turns_round() {
+    let two =
+        said("report", "orders = [1]\ninline = { throws = [0, 180], positions = ['a', 'b'] }\n", &["--format", "text"]);
+    assert!(two.contains("length |a − b|, angle 0°, turned by 180° where a − b is negative."), "{two}");
+}

@@ -260,14 +260,27 @@ fn factored(factor: &Form, lengths: &Linear) -> Text {
         return size();
     }
     let is_single = lengths.symbols().len() == 1 && lengths.known().is_zero();
-    let lengths = if is_single { lengths.to_string() } else { format!("({lengths})") };
+    let lengths = match (is_single, may_be_negative(lengths)) {
+        (true, _) => lengths.to_string(),
+        (false, true) => format!("|{lengths}|"),
+        (false, false) => format!("({lengths})"),
+    };
     let is_one = factor.as_rational().is_some_and(|one| one.is_one());
     if is_one { lengths.into() } else { phrase!("{} {}", size(), lengths) }
+}
+
+/// Whether lengths are taken away from others.
+fn may_be_negative(lengths: &Linear) -> bool {
+    lengths.known().is_negative() || lengths.symbols().values().any(Signed::is_negative)
 }
 
 /// Where the lengths factor out, in which direction what is left points.
 pub(super) fn left_sentence(verdict: &OpenVerdict) -> Option<Text> {
     let Remaining::Factored { factor, lengths, direction, degrees } = family::remaining(verdict) else { return None };
     let bearing = Bearing { exact: direction, decimal: degrees };
-    Some(text::residual(factored(&factor, &lengths), bearing))
+    let length = factored(&factor, &lengths);
+    Some(match may_be_negative(&lengths) {
+        true => text::residual_of_difference(length, bearing, lengths.to_string()),
+        false => text::residual(length, bearing),
+    })
 }
