@@ -476,3 +476,10 @@ fn a_difference_of_lengths_is_told_by_its_size_and_where_it_turns_round() {
         said("report", "orders = [1]\ninline = { throws = [0, 180], positions = ['a', 'b'] }\n", &["--format", "text"]);
     assert!(two.contains("length |a − b|, angle 0°, turned by 180° where a − b is negative."), "{two}");
 }
+
+/// A condition may hold at an end of the range alone: φ/2 ≡ 180° is φ = 360°.
+#[test]
+fn angles_are_called_complete_in_their_range_and_not_those_in_it() {
+    let told = said("report", V_TWIN, &["--format", "markdown"]);
+    assert!(told.contains("Angles are complete for unknowns in (0°, 360°), and exact unless marked ≈;"), "{told}");
+}
