@@ -373,3 +373,19 @@ fn reasons_are_german_and_no_comma_is_put_into_the_message_of_an_error() {
     assert!(told.contains("die Kröpfungen erlauben"), "{told}");
     assert!(!told.contains("0,15") && told.contains("0.15"), "{told}");
 }
+
+#[test]
+fn the_mass_of_several_crankshafts_is_called_that_of_all() {
+    let folder = scratch("mass-of-two-crankshafts");
+    let layout = "opposed_piston = { throws = [0, 120, 240], lead = 20.5, distance = '400 mm', spacing = '100 mm' }\n\
+        mechanism = { stroke = '60 mm', rod_length = '150 mm', reciprocating_mass = '1 kg' }\n";
+    fs::write(folder.join("two.toml"), layout).expect("a layout");
+    fs::write(folder.join("claims.toml"), claim("two.toml", "crankshaft mass = 3 kg")).expect("claims");
+    let printed = |command: &str, file: &str| {
+        let output = program::call(&[command, &folder.join(file).display().to_string(), "--format", "markdown"]);
+        String::from_utf8(output.stdout).expect("a text")
+    };
+    let checked = printed("check", "claims.toml");
+    assert!(checked.contains("The mass of the crankshafts together is 3 kg."), "{checked}");
+    assert!(printed("remedy", "two.toml").contains("Mass of all crankshafts together that counts in the balance"));
+}

@@ -43,8 +43,8 @@ pub enum Finding {
     Firing(Option<Vec<BigRational>>),
     /// A value in newtons or newton-metres.
     Absolute(Box<OrderBalance>, Absolute),
-    /// The crankshaft's mass in kilograms.
-    Mass(BigRational),
+    /// The mass of all crankshafts in kilograms, and how many there are.
+    Mass(BigRational, usize),
     /// What the main bearings feel.
     Bearings(Box<BearingLoads>),
     /// Orders to which several kinds of rods contribute.

@@ -57,7 +57,7 @@ pub(super) fn pistons(engine: &Engine, order: u32) -> Option<OrderBalance> {
     one_sum(engine, &judged(engine, order, Masses::Reciprocating).ok()?, Masses::Reciprocating)
 }
 
-/// Answers a claim about the crankshaft's mass.
+/// Answers a claim about the crankshaft's mass, of several crankshafts about that of all.
 pub(super) fn crankshaft(engine: &Engine, value: &Value) -> Answer {
     let Some(mass) = engine.crankshaft_mass() else {
         return Answer::nothing("the mass of the crankshaft needs the masses and the crank radius");
@@ -71,7 +71,7 @@ pub(super) fn crankshaft(engine: &Engine, value: &Value) -> Answer {
         Tolerance::Exact { rounding: Some(half) } if off <= *half => Status::TrueAsRounded,
         _ => Status::False,
     };
-    Answer { status, finding: Finding::Mass(mass), evidence: Vec::new() }
+    Answer { status, finding: Finding::Mass(mass, engine.crankshafts()), evidence: Vec::new() }
 }
 
 /// Answers a claim about which main bearings feel the most: each of them more than any that is not named. Whether those

@@ -82,7 +82,9 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
             let degrees = intervals.iter().map(|interval| typeset::turns(interval).into());
             text::intervals(Text::joined(degrees, ", "))
         }
-        (Finding::Mass(mass), _) => text::crankshaft_mass(number::given_with(mass, Unit::KILOGRAM)),
+        (Finding::Mass(mass, crankshafts), _) => {
+            text::crankshaft_mass(*crankshafts == 1, number::given_with(mass, Unit::KILOGRAM))
+        }
         (Finding::Bearings(loads), _) => super::super::bearings::peaks_in_words(loads),
         (Finding::CombinedOrders(orders), _) => Text::joined(orders.iter().map(of_several_rods), " "),
         (Finding::Remedy(remedy), _) => needs(remedy),

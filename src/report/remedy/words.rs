@@ -218,13 +218,15 @@ fn of_the_crankshaft(remedy: &Remedy) -> Vec<Text> {
     let kilograms = |mass: f64| Piece::Quantity(mass, Unit::KILOGRAM);
     if let (Some(bare), Some(with)) = (engine.crankshaft_mass(), remedy.crankshaft_mass()) {
         let bare = kilograms(float(&bare));
+        let is_one = engine.crankshafts() == 1;
         let is_resized = remedy.resized().any(|plane| plane.becomes.is_on_the_crank());
         let is_bare = remedy.bays.is_empty() && remedy.crankshaft.is_none();
         lines.push(match (is_bare, is_resized, &remedy.radius) {
-            (_, true, _) => text::crankshaft_mass_resized(bare, kilograms(with)),
-            (true, false, _) => text::crankshaft_mass(bare),
-            (false, false, None) => text::crankshaft_mass_at_crank(bare, kilograms(with)),
+            (_, true, _) => text::crankshaft_mass_resized(is_one, bare, kilograms(with)),
+            (true, false, _) => text::crankshaft_mass(is_one, bare),
+            (false, false, None) => text::crankshaft_mass_at_crank(is_one, bare, kilograms(with)),
             (false, false, Some(radius)) => text::crankshaft_mass_at_radius(
+                is_one,
                 bare,
                 typeset::given_with(&(radius * BigRational::from_integer(1000.into())), Unit::MILLIMETRE),
                 kilograms(with),
