@@ -389,3 +389,10 @@ fn the_mass_of_several_crankshafts_is_called_that_of_all() {
     assert!(checked.contains("The mass of the crankshafts together is 3 kg."), "{checked}");
     assert!(printed("remedy", "two.toml").contains("Mass of all crankshafts together that counts in the balance"));
 }
+
+#[test]
+fn an_order_as_strong_as_the_strongest_one_is_named_with_it() {
+    let claims = claims(&claim("V2-90", "order 5/2 is the strongest minor order")).expect("it reads");
+    let told = text(&report::claims_answer(&claims), Format::GITHUB);
+    assert!(told.contains("The strongest minor order is 1½") && told.contains("By symmetry as strong: 2½."), "{told}");
+}

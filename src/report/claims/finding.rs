@@ -75,7 +75,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
         }
         (Finding::NothingLeft, _) => text::nothing_left(statement.topic() == Topic::FreeMoment),
         (Finding::OnePlane, _) => text::one_plane(),
-        (Finding::FiringStars(orders), _) => gas_torque::found(orders, statement),
+        (Finding::FiringStars(orders), _) => gas_torque::found(orders, statement, answer.status.holds()),
         (Finding::NoEvenFiring, _) => text::no_even_firing(),
         (Finding::Firing(None), _) => text::no_firing_order(),
         (Finding::Firing(Some(intervals)), _) => {

@@ -9,9 +9,15 @@ use crate::page::{Text, phrase};
 use crate::report::texts::claims as text;
 
 /// The stars that a claim is about, or the strongest minor orders.
-pub(super) fn found(orders: &[StarOrder], statement: &Statement) -> Text {
+pub(super) fn found(orders: &[StarOrder], statement: &Statement, holds: bool) -> Text {
     match (statement, orders) {
-        (Statement::GasTorque { says: GasTorque::StrongestMinor, .. }, _) => strongest(orders),
+        (Statement::GasTorque { says: GasTorque::StrongestMinor, orders: claimed, .. }, _) => {
+            // What holds of orders that are not in the first half of the period, holds as they mirror or repeat those.
+            let others = claimed.iter().filter(|order| holds && orders.iter().all(|found| found.order != **order));
+            let others: Vec<Text> = others.map(|order| order.to_string().into()).collect();
+            let are_as_strong = (!others.is_empty()).then(|| text::as_strong(listed(others)));
+            Text::joined([strongest(orders)].into_iter().chain(are_as_strong), " ")
+        }
         (_, [only]) => of_order(only),
         _ => of_several(orders),
     }
