@@ -176,3 +176,10 @@ fn any_engine_without_pin_offset_can_have_its_direct_first_order_balanced_in_two
         }
     }
 }
+
+#[test]
+fn one_cylinder_fires_evenly_in_whichever_cycle() {
+    let single = written("inline = { throws = [0] }");
+    assert_eq!(checked(&single, "fires evenly").status, Status::True);
+    assert_eq!(checked(&single, "does not fire evenly").status, Status::False);
+}

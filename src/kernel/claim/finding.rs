@@ -37,6 +37,8 @@ pub enum Finding {
     OnePlane,
     /// The throws allow no even firing, in whichever order.
     NoEvenFiring,
+    /// One cylinder fires evenly, whichever the cycle is.
+    OneCylinder,
     /// Firing stars: those asked about, or the strongest of minor orders.
     FiringStars(Vec<StarOrder>),
     /// The firing intervals in turns, where the layout says them.

@@ -19,6 +19,8 @@ pub(super) fn answer(engine: &Engine, claimed: bool) -> Answer {
         None if engine.faster_crank().is_some() => {
             return Answer::nothing("when the cylinders of crankshafts of different speeds fire is not decided");
         }
+        // One cylinder has one order, whichever the cycle is.
+        None if engine.cylinders().len() == 1 => (Status::of(claimed), Finding::OneCylinder),
         None => {
             let cycles = engine.cycle().map_or(vec![Cycle::TwoStroke, Cycle::FourStroke], |cycle| vec![cycle]);
             let can: Vec<bool> = cycles.into_iter().map(|cycle| can_fire_evenly(engine, cycle)).collect();

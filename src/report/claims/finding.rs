@@ -77,6 +77,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
         (Finding::OnePlane, _) => text::one_plane(),
         (Finding::FiringStars(orders), _) => gas_torque::found(orders, statement, answer.status.holds()),
         (Finding::NoEvenFiring, _) => text::no_even_firing(),
+        (Finding::OneCylinder, _) => text::one_cylinder(),
         (Finding::Firing(None), _) => text::no_firing_order(),
         (Finding::Firing(Some(intervals)), _) => {
             let degrees = intervals.iter().map(|interval| typeset::turns(interval).into());
