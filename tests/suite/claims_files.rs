@@ -396,3 +396,13 @@ fn an_order_as_strong_as_the_strongest_one_is_named_with_it() {
     let told = text(&report::claims_answer(&claims), Format::GITHUB);
     assert!(told.contains("The strongest minor order is 1½") && told.contains("By symmetry as strong: 2½."), "{told}");
 }
+
+#[test]
+fn one_interval_and_one_order_are_told_in_the_singular() {
+    let told = |layout: &str, says: &str| {
+        text(&report::claims_answer(&claims(&claim(layout, says)).expect("it reads")), Format::GITHUB)
+    };
+    assert!(told("I1", "fires evenly").contains("The interval is 720°."));
+    assert!(told("I6", "every order vanishes").contains("this one remains: 6;"));
+    assert!(told("I2-180", "orders 1 and 2 vanish").contains("these remain: 1, 2;"));
+}

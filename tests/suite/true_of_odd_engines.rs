@@ -281,3 +281,13 @@ fn cylinders_that_are_alike_and_weigh_more_than_the_unit_have_no_weight_of_1() {
     tells(&told("5/2"), &["in multiples of"], &["1 where all cylinders are alike"]);
     tells(&told("1"), &["1 where all cylinders are alike"], &[]);
 }
+
+#[test]
+fn what_is_one_is_told_in_the_singular() {
+    let single = "inline = { throws = [0] }\n";
+    tells(&said("exercise", single, &["--format", "text"]), &["An engine with 1 cylinder."], &[]);
+    let german = said("exercise", single, &["--format", "text", "--lang", "de"]);
+    tells(&german, &["Ein Motor mit 1 Zylinder."], &[]);
+    let twin = "vee = { bank_angle = 'phi', throws = [0] }\n";
+    tells(&said("report", twin, &["--format", "text"]), &["Free parameter: φ."], &[]);
+}

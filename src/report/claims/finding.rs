@@ -81,7 +81,7 @@ pub fn claim_finding(statement: &Statement, answer: &Answer) -> Text {
         (Finding::Firing(None), _) => text::no_firing_order(),
         (Finding::Firing(Some(intervals)), _) => {
             let degrees = intervals.iter().map(|interval| typeset::turns(interval).into());
-            text::intervals(Text::joined(degrees, ", "))
+            text::intervals(intervals.len() == 1, Text::joined(degrees, ", "))
         }
         (Finding::Mass(mass, crankshafts), _) => {
             text::crankshaft_mass(*crankshafts == 1, number::given_with(mass, Unit::KILOGRAM))

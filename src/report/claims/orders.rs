@@ -27,9 +27,10 @@ impl Asked<'_> {
         let named = if self.surviving.len() > MOST_NAMED { phrase!("{}, …", named) } else { named };
         let what = what_is_left(first, statement);
         let is_lowest = self.surviving.iter().all(|order| *order >= first.order);
+        let is_one = self.surviving.len() == 1;
         match self.period {
-            Some(period) => text::orders_left(period, named, is_lowest, first.order, what),
-            None => text::asked_orders_left(self.judged, named, is_lowest, first.order, what),
+            Some(period) => text::orders_left(period, is_one, named, is_lowest, first.order, what),
+            None => text::asked_orders_left(self.judged, is_one, named, is_lowest, first.order, what),
         }
     }
 

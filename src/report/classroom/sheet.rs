@@ -7,7 +7,7 @@ use super::super::table;
 use super::super::views::{end_view, end_view_caption, side_view, side_view_caption};
 use super::unit_of;
 use crate::classroom::{Pupil, Scheme};
-use crate::page::{Block, Document, Picture, Table, Text, phrase};
+use crate::page::{Block, Choice, Document, Picture, Table, Text, phrase};
 use crate::proof::Planar;
 use crate::report::texts::sheet as text;
 
@@ -37,7 +37,7 @@ pub(super) fn given(pupil: &Pupil) -> Vec<Block> {
     let plane = text::moments_about(table::place(engine, engine.reference_plane()));
     vec![
         Block::Heading(1, "Given".into()),
-        text::cylinders(engine.cylinders().len()).into(),
+        text::cylinders(engine.cylinders().len(), Choice::one_or_more(engine.cylinders().len())).into(),
         Block::Pictures(vec![end, side]),
         table::cylinders(engine).into(),
         Block::List(vec![seen(engine.convention()), centres(engine), vectors, plane]),

@@ -114,8 +114,9 @@ fn even_firing(family: &Family) -> Option<Text> {
 
 pub(super) fn left_open(family: &Family) -> Text {
     let unknowns: Vec<&str> = family.unknowns().into_iter().collect();
+    let number = Choice::one_or_more(unknowns.len());
     let unknowns = unknowns.join(", ").replace(PHI, "φ").replace("delta", "δ");
-    text::free_parameters(unknowns)
+    text::free_parameters(number, unknowns)
 }
 
 /// The amplitude of each order over the one open angle, with its exact zeros.
