@@ -468,3 +468,19 @@ fn every_engine_of_the_catalogue_has_a_german_title_and_no_other_title_is_change
         assert!(Language::De.title(&Untrusted::new(written)).is_none(), "{written}");
     }
 }
+
+#[test]
+fn german_sentences_say_what_the_english_ones_do() {
+    let said = |english: &'static str| Language::De.fixed(english);
+    let family = Language::De
+        .entries()
+        .find(|(english, _)| english.starts_with("**0**: vanishes for all values of the unknowns, proved"));
+    assert!(family.is_some_and(|(_, german)| german.starts_with("**0**: verschwindet")), "{family:?}");
+    let free = "No order has a free moment: its moment vanishes or is that of its force in one plane; one period of {} orders proves it.";
+    assert!(said(free).starts_with("Keine Ordnung hat ein freies Moment: "), "{}", said(free));
+    let exact = said(
+        "Decimals are right where they equal the true value, rounded: for √10 both 3.2 and 3.162 are right, 3.15 is not. A number without a point is taken as exact.",
+    );
+    assert!(exact.ends_with("Eine Zahl ohne Dezimalpunkt gilt als exakt."), "{exact}");
+    assert!(said("The peaks of the bearings in {} are, in order, {}: {}.").contains("der Reihe nach {}"));
+}
