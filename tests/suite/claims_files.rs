@@ -406,3 +406,14 @@ fn one_interval_and_one_order_are_told_in_the_singular() {
     assert!(told("I6", "every order vanishes").contains("this one remains: 6;"));
     assert!(told("I2-180", "orders 1 and 2 vanish").contains("these remain: 1, 2;"));
 }
+
+#[test]
+fn a_plane_that_is_not_that_of_the_moments_is_no_it() {
+    let folder = scratch("claims-of-another-plane");
+    let layout = "reference_plane = 1\ninline = { throws = [0, 180, 180, 0] }\n";
+    fs::write(folder.join("four.toml"), layout).expect("a layout");
+    fs::write(folder.join("claims.toml"), claim("four.toml", "second-order moment vanishes")).expect("claims");
+    let output = program::call(&["check", &folder.join("claims.toml").display().to_string(), "--format", "markdown"]);
+    let told = String::from_utf8(output.stdout).expect("a text");
+    assert!(told.contains("which is not so here"), "{told}");
+}
