@@ -115,22 +115,12 @@ impl Parts {
             Letter::Lambda => self.ratio,
             Letter::Delta => self.offset,
             Letter::Radius => self.radius,
-            Letter::Rod => self.rod(),
             Letter::Height => self.radius * psi.cos() + self.rod() * self.rod_sine(psi).asin().cos(),
             Letter::Omega => self.omega()?,
             Letter::Bore => self.gas()?.bore,
             Letter::Pressure => self.gas()?.known().gas.pressure(psi),
             Letter::Crankcase => self.gas()?.known().gas.crankcase(),
-            Letter::Reciprocating => self.masses()?[0],
-            Letter::Rotating => self.masses()?[1],
-            Letter::Gas => self.measured(Measured::GasForce, psi)?,
-            Letter::Alternating => self.measured(Measured::InertiaForce, psi)?,
-            Letter::Effort => self.measured(Measured::PistonEffort, psi)?,
-            Letter::AlongTheRod => self.measured(Measured::RodForce, psi)?,
-            Letter::Thrust => self.measured(Measured::SideForce, psi)?,
-            Letter::AcrossTheCrank => self.measured(Measured::CrankEffort, psi)?,
-            Letter::Centrifugal => self.measured(Measured::CentrifugalForce, psi)?,
-            Letter::Torque => self.measured(Measured::Torque, psi)?,
+            Letter::Of(what) => self.measured(what, psi)?,
         })
     }
 

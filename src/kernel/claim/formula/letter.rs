@@ -13,8 +13,6 @@ pub enum Letter {
     Delta,
     /// r, the crank radius in metres.
     Radius,
-    /// L, the length of the rod.
-    Rod,
     /// h = r cos θ + L cos β, the height of the piston pin over the crankshaft.
     Height,
     /// ω in radians a second.
@@ -25,41 +23,24 @@ pub enum Letter {
     Pressure,
     /// p_0, that of the crankcase.
     Crankcase,
-    /// m_ALT, the reciprocating mass in kilograms.
-    Reciprocating,
-    /// m_ROT, the rotating mass of the rod.
-    Rotating,
-    /// F_g, the gas force towards the crank.
-    Gas,
-    /// F_ALT, the inertia force towards the crank.
-    Alternating,
-    /// F = F_g + F_ALT, the piston effort.
-    Effort,
-    /// F_b, along the rod.
-    AlongTheRod,
-    /// F_L, the thrust on the cylinder.
-    Thrust,
-    /// F_t, across the crank.
-    AcrossTheCrank,
-    /// F_ROT, the centrifugal force of the rod's rotating mass.
-    Centrifugal,
-    /// M, the torque of the cylinder.
-    Torque,
+    /// What a formula can be said of too: L, m_ALT, m_ROT, M, and the forces F_g, F_ALT towards the crank, F = F_g + F_ALT, F_b along the rod,
+    /// F_L on the cylinder, F_t across the crank, F_ROT of the rod's rotating mass.
+    Of(Measured),
 }
 
 impl Letter {
     /// Every way to write a letter; of two that begin alike the longer one stands first.
     pub(super) const NAMES: [(&'static str, Letter); 32] = [
-        ("F_ALT", Letter::Alternating),
-        ("F_ROT", Letter::Centrifugal),
-        ("F_g", Letter::Gas),
-        ("F_b", Letter::AlongTheRod),
-        ("F_L", Letter::Thrust),
-        ("F_t", Letter::AcrossTheCrank),
-        ("F", Letter::Effort),
-        ("m_ALT", Letter::Reciprocating),
-        ("m_ROT", Letter::Rotating),
-        ("m", Letter::Reciprocating),
+        ("F_ALT", Letter::Of(Measured::InertiaForce)),
+        ("F_ROT", Letter::Of(Measured::CentrifugalForce)),
+        ("F_g", Letter::Of(Measured::GasForce)),
+        ("F_b", Letter::Of(Measured::RodForce)),
+        ("F_L", Letter::Of(Measured::SideForce)),
+        ("F_t", Letter::Of(Measured::CrankEffort)),
+        ("F", Letter::Of(Measured::PistonEffort)),
+        ("m_ALT", Letter::Of(Measured::ReciprocatingMass)),
+        ("m_ROT", Letter::Of(Measured::RotatingMass)),
+        ("m", Letter::Of(Measured::ReciprocatingMass)),
         ("p_0", Letter::Crankcase),
         ("p", Letter::Pressure),
         ("θ", Letter::Theta),
@@ -76,12 +57,12 @@ impl Letter {
         ("omega", Letter::Omega),
         ("w", Letter::Omega),
         ("r", Letter::Radius),
-        ("L", Letter::Rod),
-        ("l", Letter::Rod),
+        ("L", Letter::Of(Measured::RodLength)),
+        ("l", Letter::Of(Measured::RodLength)),
         ("h", Letter::Height),
         ("D", Letter::Bore),
-        ("M", Letter::Torque),
-        ("T", Letter::Torque),
+        ("M", Letter::Of(Measured::Torque)),
+        ("T", Letter::Of(Measured::Torque)),
     ];
 }
 

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::{Formula, Function, Letter, Operation};
+use super::{Formula, Function, Letter, Measured, Operation};
 use crate::exact::Turn;
 use crate::numbers::Form;
 
@@ -205,11 +205,11 @@ impl Series {
 /// Which of m, r, ω and λ a letter is; L is r/λ.
 fn powers(letter: Letter) -> Result<Powers, String> {
     match letter {
-        Letter::Reciprocating => Ok([1, 0, 0, 0]),
+        Letter::Of(Measured::ReciprocatingMass) => Ok([1, 0, 0, 0]),
         Letter::Radius => Ok([0, 1, 0, 0]),
         Letter::Omega => Ok([0, 0, 1, 0]),
         Letter::Lambda => Ok([0, 0, 0, 1]),
-        Letter::Rod => Ok([0, 1, 0, -1]),
+        Letter::Of(Measured::RodLength) => Ok([0, 1, 0, -1]),
         Letter::Theta => Err("θ is in a series only within a sine or cosine".to_owned()),
         Letter::Beta
         | Letter::Delta
@@ -217,15 +217,7 @@ fn powers(letter: Letter) -> Result<Powers, String> {
         | Letter::Bore
         | Letter::Pressure
         | Letter::Crankcase
-        | Letter::Rotating
-        | Letter::Gas
-        | Letter::Alternating
-        | Letter::Effort
-        | Letter::AlongTheRod
-        | Letter::Thrust
-        | Letter::AcrossTheCrank
-        | Letter::Centrifugal
-        | Letter::Torque => Err("the letters of a shaking force are m, r, ω, λ, L and θ".to_owned()),
+        | Letter::Of(_) => Err("the letters of a shaking force are m, r, ω, λ, L and θ".to_owned()),
     }
 }
 
