@@ -262,13 +262,13 @@ fn check_told(star: &Star, when: &When, told: &mut Told, place: &str) {
             }
             check_points(star, &points(found.rational(), found.irrational()), at, told, place);
             told.open += usize::from(found.circle.as_ref().is_some_and(|circle| !circle.is_complete()));
-            if let Some(twist) = &found.twist {
+            if let Some(twist) = &found.claim.twist {
                 told.twists += 1;
                 for sign in &twist.signs {
                     told.signs[usize::from(matches!(sign, TriangleShape::Two { .. }))] += 1;
                 }
             }
-            for (roots, at) in found.roots.iter().zip(&found.at) {
+            for (roots, at) in found.claim.roots.iter().zip(&found.at) {
                 told.roots[match roots {
                     RootsClaim::All { .. } => 0,
                     RootsClaim::None { .. } => 1,

@@ -1,10 +1,10 @@
 //! What does `classify --json` hold for a family? Every part with its certificate, and when they cancel.
 
 use crate::engine::{Cylinder, Family, Linear};
-use crate::family::{Classes, Corner, Never, OpenOrder, OpenSum, OpenVerdict, Part, Quadratic, Triangle, When};
+use crate::family::{Corner, Never, OpenOrder, OpenSum, OpenVerdict, Part, Triangle, When};
 use crate::proof::{
-    ClassesClaim, Exact, Format, LinearClaim, Masses, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim,
-    ProductClaim, QuadraticClaim, Quantity, SumClaim, TriangleClaim, WhenClaim,
+    Exact, Format, LinearClaim, Masses, OpenCylinder, OpenDocument, OpenVerdictClaim, PartClaim, ProductClaim,
+    Quantity, SumClaim, TriangleClaim, WhenClaim,
 };
 
 /// The verdicts on a family as data: what `verify` reads.
@@ -69,9 +69,9 @@ fn when(when: &When) -> WhenClaim {
         When::Never(Never::Coprime(found)) => WhenClaim::Coprime(found.clone()),
         When::Never(Never::Circle(found)) | When::Circle(found) => WhenClaim::Circle(Box::new(found.claim.clone())),
         When::Never(Never::Triangle(found)) | When::Triangle(found) => WhenClaim::Triangle(Box::new(triangle(found))),
-        When::Never(Never::Classes(found)) | When::Classes(found) => WhenClaim::Classes(Box::new(classes(found))),
+        When::Never(Never::Classes(found)) | When::Classes(found) => WhenClaim::Classes(Box::new(found.claim.clone())),
         When::Never(Never::Quadratic(found)) | When::Quadratic(found) => {
-            WhenClaim::Quadratic(Box::new(quadratic(found)))
+            WhenClaim::Quadratic(Box::new(found.claim.clone()))
         }
         When::Never(Never::Product(found)) | When::Product(found) => WhenClaim::Product(Box::new(ProductClaim {
             groups: found.groups.clone(),
@@ -93,31 +93,4 @@ fn triangle(triangle: &Triangle) -> TriangleClaim {
         Corner::Near(_) => None,
     });
     TriangleClaim { shape: triangle.shape.clone(), alternatives: exact.collect() }
-}
-
-fn classes(classes: &Classes) -> ClassesClaim {
-    let [phi, delta] = classes.u.clone();
-    ClassesClaim {
-        phi,
-        delta,
-        second: classes.second.clone(),
-        squares: classes.squares.clone(),
-        circle: classes.circle.as_ref().map(|circle| circle.claim.clone()),
-        meetings: classes.meetings.clone(),
-    }
-}
-
-fn quadratic(found: &Quadratic) -> QuadraticClaim {
-    let ([phi, delta], [second, third]) = (found.u.clone(), found.classes.clone());
-    QuadraticClaim {
-        phi,
-        delta,
-        second,
-        third,
-        coefficients: found.coefficients.clone(),
-        lengths: found.lengths.clone(),
-        twist: found.twist.clone(),
-        circle: found.circle.as_ref().map(|circle| circle.claim.clone()),
-        roots: found.roots.clone(),
-    }
 }

@@ -40,7 +40,7 @@ pub(super) fn why(found: &Quadratic) -> Text {
     let Some(circle) = &found.circle else {
         return Text::joined([lead, text::never_cancel()], " ");
     };
-    let arcs = match found.twist {
+    let arcs = match found.claim.twist {
         Some(_) => text::twisted(u.clone(), circle.claim.arcs.len(), v),
         None => text::resultant((circle.polynomial.degree() / 2).to_string(), u.clone(), circle.claim.arcs.len(), v),
     };

@@ -9,7 +9,7 @@ use super::roots::Root;
 use super::split::{Split, split};
 use crate::exact::Turn;
 use crate::numbers::{self, Direction};
-use crate::proof::{Certificate, MeetingClaim};
+use crate::proof::{Certificate, ClassesClaim, MeetingClaim};
 
 /// The classes A and B, and where they are equally long.
 #[derive(Clone, Debug)]
@@ -18,14 +18,10 @@ pub struct Classes {
     pub u: [BigRational; 2],
     /// How many times φ and δ enter v, which turns the second class against the first.
     pub v: [BigRational; 2],
-    /// The places of the parts of the second class among those that are left.
-    pub second: Vec<usize>,
-    /// Evidence for every coefficient of `|A|² − |B|²`, from the constant one on.
-    pub squares: Vec<Certificate>,
     /// Where `|A|² − |B|²` vanishes; none where it is constant.
     pub circle: Option<Circle>,
-    /// What is said of the v at which the sum vanishes at each rational u of the circle, in their order.
-    pub meetings: Vec<MeetingClaim>,
+    /// What the checker is told: what is said of the v at which the sum vanishes at each rational u of the circle among it, in their order.
+    pub claim: ClassesClaim,
     /// These v, one each; none where it vanishes for all.
     pub at: Vec<Option<Vec<Root>>>,
     /// For which v, in degrees, it does at each irrational u, in their order: one, for A = B = 0 makes a double zero.
@@ -47,7 +43,9 @@ pub(in super::super) fn solve(parts: &[&Part]) -> Option<Classes> {
     let (meetings, at) = rational.map(|at| meeting(&classes, at)).unzip();
     let middle = |[low, high]: [&BigRational; 2]| (low + high) / BigRational::from_integer(2.into());
     let degrees = circle.iter().flat_map(Circle::irrational).map(|ends| near(&classes, &middle(ends))).collect();
-    Some(Classes { u, v, second, squares, circle, meetings, at, degrees })
+    let ([phi, delta], of_circle) = (u.clone(), circle.as_ref().map(|circle| circle.claim.clone()));
+    let claim = ClassesClaim { phi, delta, second, squares, circle: of_circle, meetings };
+    Some(Classes { u, v, circle, claim, at, degrees })
 }
 
 /// `e^{iv} = −A/B`, along `−A·conj(B)`; none where all v are.
@@ -89,7 +87,7 @@ impl Classes {
 
     /// Whether A and B are equally long for every u: then each has one v, or all where A = B = 0.
     pub fn is_curve(&self) -> bool {
-        self.squares.iter().all(Certificate::claims_zero)
+        self.claim.squares.iter().all(Certificate::claims_zero)
     }
 
     /// The rational turns of u at which the classes are equally long, each with its v; none where all are.

@@ -12,7 +12,7 @@ use super::roots::{Root, mirrored, near, roots};
 use super::split::{Split, three};
 use super::triangle::enclosed_sign;
 use crate::exact::PhasorSum;
-use crate::proof::{Certificate, RootsClaim, TwistClaim};
+use crate::proof::{Certificate, QuadraticClaim, TwistClaim};
 
 /// The classes A, B and C, and where they cancel.
 #[derive(Clone, Debug)]
@@ -21,18 +21,10 @@ pub struct Quadratic {
     pub u: [BigRational; 2],
     /// How many times φ and δ enter v, which turns B against A, and C against B.
     pub v: [BigRational; 2],
-    /// The places of the parts of B and of C among those that are left.
-    pub classes: [Vec<usize>; 2],
-    /// Evidence for every coefficient of `D² − |E|²`, from the constant one on. All are zero: the classes cancel along a curve.
-    pub coefficients: Vec<Certificate>,
-    /// On a curve, and where D = 0 throughout, evidence for every coefficient of `D = |A|² − |C|²`, from the constant one on; else none.
-    pub lengths: Vec<Certificate>,
-    /// Where D = 0 throughout, and `|E|²` is not constant: E in the place of `D² − |E|²`.
-    pub twist: Option<TwistClaim>,
     /// Where `D² − |E|²` vanishes; none where it is constant.
     pub circle: Option<Circle>,
-    /// What is said of the v at which the sum vanishes at each rational u of the circle, in their order.
-    pub roots: Vec<RootsClaim>,
+    /// What the checker is told: what is said of the v at which the sum vanishes at each rational u of the circle among it, in their order.
+    pub claim: QuadraticClaim,
     /// These v; none where it vanishes for all.
     pub at: Vec<Option<Vec<Root>>>,
     /// For which v, in degrees, it does at each irrational u, in their order: one where D is not 0, else none or two.
@@ -73,7 +65,9 @@ pub(in super::super) fn solve(parts: &[&Part]) -> Option<Quadratic> {
         Some(twist) => irrational.zip(&twist.signs).map(|(sums, sign)| mirrored(&sums, sign)).collect(),
     };
     let [_, second, third] = classes.map(|class| class.into_iter().map(|(_, place)| place).collect());
-    Some(Quadratic { u, v, classes: [second, third], coefficients, lengths, twist, circle, roots, at: zeros, degrees })
+    let ([phi, delta], of_circle) = (u.clone(), circle.as_ref().map(|circle| circle.claim.clone()));
+    let claim = QuadraticClaim { phi, delta, second, third, coefficients, lengths, twist, circle: of_circle, roots };
+    Some(Quadratic { u, v, circle, claim, at: zeros, degrees })
 }
 
 /// The zeros of E on the circle, with the sign of `4|A|² − |B|²` at the irrational ones; where it is not found the arc is opened.
@@ -105,12 +99,12 @@ impl Quadratic {
 
     /// Whether `D² = |E|²` for every u, so that the classes cancel along a curve.
     pub fn is_curve(&self) -> bool {
-        self.coefficients.iter().all(Certificate::claims_zero)
+        self.claim.coefficients.iter().all(Certificate::claims_zero)
     }
 
     /// Whether A and C are equally long for every u.
     pub fn is_mirrored(&self) -> bool {
-        self.is_curve() && self.lengths.iter().all(Certificate::claims_zero)
+        self.is_curve() && self.claim.lengths.iter().all(Certificate::claims_zero)
     }
 
     /// The rational turns of u at which the classes may cancel, each with its v; none where all are.
