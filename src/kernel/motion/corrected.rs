@@ -30,7 +30,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
 use super::ball::Ball;
-use super::circle::{cosine, sine};
+use super::circle::cosine_and_sine;
 use super::enclosure::{Coefficient, Enclosure};
 
 /// Bits behind the point that the strip is measured with.
@@ -165,8 +165,8 @@ impl CorrectedLinkage {
             return Some(known.clone());
         }
         let ball = |number: &BigRational| Ball::rational(number, bits);
-        let [along, across] = [cosine(&self.correction, bits), sine(&self.correction, bits)];
-        let [ahead, aside] = [cosine(&self.angle, bits), sine(&self.angle, bits)];
+        let [along, across] = cosine_and_sine(&self.correction, bits);
+        let [ahead, aside] = cosine_and_sine(&self.angle, bits);
         let (along, across) = (ball(&self.knuckle).times(&along), ball(&(&self.knuckle / &self.master)).times(&across));
         let (master, ratio, one) = (ball(&self.master), ball(&self.ratio), Ball::integer(1, bits));
         let points = circle(count, bits);
@@ -200,10 +200,11 @@ struct Reach {
 impl Reach {
     fn new([ratio, knuckle, master]: [&BigRational; 3], [angle, correction]: [&BigRational; 2]) -> Self {
         let ball = |number: &BigRational| Ball::rational(number, STRIP_BITS);
-        let along = ball(knuckle).times(&cosine(correction, STRIP_BITS));
-        let twice = along.times_integer(2).times(&cosine(angle, STRIP_BITS));
+        let [cos, sin] = cosine_and_sine(&correction.abs(), STRIP_BITS);
+        let along = ball(knuckle).times(&cos);
+        let twice = along.times_integer(2).times(&cosine_and_sine(angle, STRIP_BITS)[0]);
         let length = (&(&Ball::integer(1, STRIP_BITS) + &along.times(&along)) - &twice).sqrt();
-        let across = ball(&(knuckle / master)).times(&sine(&correction.abs(), STRIP_BITS));
+        let across = ball(&(knuckle / master)).times(&sin);
         Reach { length, across, ratio: ratio.clone(), master: master.clone() }
     }
 
@@ -235,7 +236,7 @@ impl Reach {
 /// Cosine and sine at this many points of a turn: each is the one before, turned.
 fn circle(count: u64, bits: u32) -> Vec<[Ball; 2]> {
     let step = BigRational::new(1.into(), count.into());
-    let [along, across] = [cosine(&step, bits), sine(&step, bits)];
+    let [along, across] = cosine_and_sine(&step, bits);
     let first = [Ball::integer(1, bits), Ball::integer(0, bits)];
     let next = |[cos, sin]: &[Ball; 2]| {
         let turned = [&cos.times(&along) - &sin.times(&across), &sin.times(&along) + &cos.times(&across)];

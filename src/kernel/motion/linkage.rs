@@ -20,7 +20,7 @@ use num_rational::BigRational;
 use num_traits::{One, Signed, Zero};
 
 use super::ball::Ball;
-use super::circle::cosine;
+use super::circle::cosine_and_sine;
 use super::crank::SliderCrank;
 use super::enclosure::Enclosure;
 
@@ -46,7 +46,7 @@ impl Linkage {
         }
         let one = BigRational::one();
         let both = Ball::rational(&(&one + &knuckle * &knuckle), BITS);
-        let across = Ball::rational(&knuckle, BITS).times_integer(2).times(&cosine(&turns, BITS));
+        let across = Ball::rational(&knuckle, BITS).times_integer(2).times(&cosine_and_sine(&turns, BITS)[0]);
         let reach = (&both - &across).sqrt().times(&Ball::rational(&ratio, BITS));
         let unit = BigInt::one() << BITS;
         let ends = [reach.low(), reach.high()].map(|end| BigRational::new(end.max(BigInt::zero()), unit.clone()));

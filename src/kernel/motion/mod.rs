@@ -41,6 +41,7 @@ mod tail;
 mod top;
 mod torque;
 
+pub use circle::{DOUBT, FixedPoint};
 pub use corrected::{Component, CorrectedLinkage};
 pub use corrected_tail::CorrectedTail;
 pub use crank::SliderCrank;

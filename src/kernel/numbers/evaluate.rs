@@ -9,16 +9,12 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::fixed::FixedPoint;
 use super::memory::{self, Memory};
 use crate::exact::{PhasorSum, Term, Turn, fraction};
-use crate::motion::{Enclosure, float};
+use crate::motion::{DOUBT, Enclosure, FixedPoint, float};
 
 /// Bits behind the point that every evaluation starts with.
 const FIRST_BITS: u32 = 128;
-
-/// Each cosine of the fixed-point arithmetic is off by less than this many units: some hundred roundings of its series.
-const DOUBT: i64 = 1 << 16;
 
 /// The sum as a complex decimal, to the full accuracy of a float, however much its terms cancel.
 ///
@@ -68,7 +64,7 @@ pub fn direction(angle: &Turn) -> Complex<f64> {
     if let Some(known) = DIRECTIONS.with_borrow(|directions| directions.get(angle)) {
         return known;
     }
-    let (cos, sin) = FixedPoint::new(FIRST_BITS).cos_sin(angle);
+    let (cos, sin) = FixedPoint::new(FIRST_BITS).cos_sin(angle.turns());
     let to_float = |scaled: BigInt| BigRational::new_raw(scaled, BigInt::one() << FIRST_BITS).to_f64().unwrap_or(0.0);
     let direction = Complex::new(to_float(cos), to_float(sin));
     DIRECTIONS.with_borrow_mut(|directions| directions.keep(angle.clone(), direction));
@@ -83,7 +79,8 @@ fn part(sum: &PhasorSum, choose: impl Fn((BigInt, BigInt)) -> BigInt) -> f64 {
     let mut bits = FIRST_BITS;
     loop {
         let fixed = FixedPoint::new(bits);
-        let value: BigInt = weights.iter().zip(&terms).map(|(w, term)| w * choose(fixed.cos_sin(&term.angle))).sum();
+        let value: BigInt =
+            weights.iter().zip(&terms).map(|(w, term)| w * choose(fixed.cos_sin(term.angle.turns()))).sum();
         if value.abs() > &doubt << 64 {
             return float(&BigRational::new_raw(value, &scale << bits));
         }
@@ -130,7 +127,7 @@ pub(super) fn fixed_ends(sum: &PhasorSum, bits: u32) -> ([[BigInt; 2]; 2], BigIn
     let fixed = FixedPoint::new(bits);
     let (mut re, mut im) = (BigInt::zero(), BigInt::zero());
     for (weight, term) in weights.iter().zip(&terms) {
-        let (cos, sin) = fixed.cos_sin(&term.angle);
+        let (cos, sin) = fixed.cos_sin(term.angle.turns());
         re += weight * cos;
         im += weight * sin;
     }

@@ -7,7 +7,6 @@ mod cosines;
 mod cost;
 mod direction;
 mod evaluate;
-mod fixed;
 mod form;
 mod known;
 mod largest;
