@@ -154,7 +154,8 @@ fn links_master_rods_and_bearings_of_several_crankshafts_feel_at_an_angle_what_t
         for instant in &study.instants {
             let theta = instant.theta.to_radians();
             for (index, piston) in instant.pistons.iter().enumerate() {
-                assert_near(piston.side().expect("a side force"), course.side(index, theta), 1e-9 * largest);
+                let side = course.side_of(index, theta, course.forces(index, theta));
+                assert_near(piston.side().expect("a side force"), side, 1e-9 * largest);
                 let whole = match course.knuckle_parts(index, theta) {
                     Some([inertia, gas]) => inertia + gas,
                     None => course.links_of(index).chain([index]).map(|rod| course.pin(rod, theta)).sum(),
@@ -164,8 +165,7 @@ fn links_master_rods_and_bearings_of_several_crankshafts_feel_at_an_angle_what_t
                 assert_near(piston.pin_on_the_crank.expect("a load").norm(), pin.norm(), 1e-9 * largest);
                 // The rod is pressed by what the piston hands on: effort and side force, seen along it.
                 let slope = course.forces(index, theta).slope;
-                let along =
-                    (course.forces(index, theta).effort() + course.side(index, theta) * slope) / slope.hypot(1.0);
+                let along = (course.forces(index, theta).effort() + side * slope) / slope.hypot(1.0);
                 assert_near(piston.rod().expect("a thrust"), along, 1e-9 * largest);
             }
             assert_eq!(instant.bearings.len(), bearings.len());

@@ -279,7 +279,8 @@ fn agrees_with_gas(text: &str) {
         let size = pins.iter().chain(&knuckles).map(|load| load.norm()).fold(1.0, f64::max);
         for (index, cylinder) in engine.cylinders().iter().enumerate() {
             let what = format!("cylinder {} at {theta}\n{text}", cylinder.name);
-            close(course.side(index, theta).into(), (sides[index] * unit).into(), size * unit, &what);
+            let side = course.side_of(index, theta, course.forces(index, theta));
+            close(side.into(), (sides[index] * unit).into(), size * unit, &what);
             if let Some([inertia, gas]) = course.knuckle_parts(index, theta) {
                 close(inertia + gas, knuckles[index] * unit, size * unit, &what);
                 continue;

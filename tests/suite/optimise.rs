@@ -12,7 +12,7 @@ use std::{env, fs};
 use crankstar::beam::Beam;
 use crankstar::data::exact_number;
 use crankstar::engine::{Draft, Engine};
-use crankstar::file::parse;
+use crankstar::file::{FileResolver, parse};
 use crankstar::journal::{bearing_peaks, cycle_loads};
 use crankstar::loads::{Circle, Method, Outcome, Scale, Waveform, bearing_loads, loads, usual_bearing_orders};
 use crankstar::optimise::{
@@ -46,7 +46,8 @@ pub fn request(layout: &Engine, couple: Couple, points: usize) -> Request {
 }
 
 pub fn solved(layout: &Engine, couple: Couple, points: usize) -> Front {
-    front(layout, &request(layout, couple, points)).unwrap_or_else(|refused| panic!("{refused}"))
+    front(layout, &request(layout, couple, points), FileResolver::nothing())
+        .unwrap_or_else(|refused| panic!("{refused}"))
 }
 
 pub fn whole(number: i64) -> BigRational {
@@ -546,7 +547,10 @@ fn with_gas_the_least_load_is_that_of_gas_and_masses_and_no_other_crankshaft_com
 fn a_gas_that_is_asked_for_and_cannot_be_had_is_told() {
     let refused = |text: &str| {
         let layout = parse("four.toml", text).unwrap_or_else(|error| panic!("{error}\n{text}"));
-        front(&layout, &request(&layout, Couple::Zero, 1)).err().map(|refused| refused.to_string()).unwrap_or_default()
+        front(&layout, &request(&layout, Couple::Zero, 1), FileResolver::nothing())
+            .err()
+            .map(|refused| refused.to_string())
+            .unwrap_or_default()
     };
     let text = four_with_gas();
     assert!(
@@ -561,11 +565,14 @@ fn a_gas_that_is_asked_for_and_cannot_be_had_is_told() {
 fn what_is_missing_is_named() {
     let beam = "[0.15, 0.05, -0.05, -0.15]";
     let refused = |layout: &Engine, couple: Couple, points: usize| {
-        front(layout, &request(layout, couple, points)).err().map(|refused| refused.to_string()).unwrap_or_default()
+        front(layout, &request(layout, couple, points), FileResolver::nothing())
+            .err()
+            .map(|refused| refused.to_string())
+            .unwrap_or_default()
     };
     let i3 = engine("[0, 120, 240]", beam, WEBS);
     assert_eq!(refused(&i3, Couple::Zero, 0), OptimiseError::Points(0).to_string());
-    let no_first = front(&i3, &Request { couple: Couple::Zero, points: 1, orders: vec![2] });
+    let no_first = front(&i3, &Request { couple: Couple::Zero, points: 1, orders: vec![2] }, FileResolver::nothing());
     assert_eq!(no_first.err(), Some(OptimiseError::NoFirstOrder));
     let no_bearings = Draft { bearings: Vec::new(), ..i3.clone().into_draft() }.build().expect("it holds");
     assert!(refused(&no_bearings, Couple::Zero, 1).contains("main bearings"));

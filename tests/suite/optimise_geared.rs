@@ -1,7 +1,7 @@
 //! Are the counterweights of several crankshafts chosen as those of each would be?
 
 use crankstar::engine::Engine;
-use crankstar::file::parse;
+use crankstar::file::{FileResolver, parse};
 use crankstar::optimise::{Couple, Front, Residual, front};
 
 use crate::optimise::{WEBS, assert_close, engine, request, solved, whole};
@@ -96,6 +96,9 @@ fn a_crankshaft_without_planes_for_counterweights_is_named() {
     let one =
         "[[counterweight]]\nthrow = 1\nmass = 1\nradius = 0.05\n[[counterweight]]\nthrow = 2\nmass = 1\nradius = 0.05";
     let u = geared("[u]\nthrows = [0, 180]\nspacing = 0.1\ndistance = 0.3\nsense = 'with'", "[0.1, 0, -0.1]", one);
-    let refused = front(&u, &request(&u, Couple::Zero, 1)).err().map(|refused| refused.to_string()).unwrap_or_default();
+    let refused = front(&u, &request(&u, Couple::Zero, 1), FileResolver::nothing())
+        .err()
+        .map(|refused| refused.to_string())
+        .unwrap_or_default();
     assert!(refused.contains("the crankshaft right has no counterweights"), "{refused}");
 }

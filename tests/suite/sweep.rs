@@ -216,11 +216,14 @@ fn counterweights_of_the_six_at_90_degrees_are_root_3_in_closed_form() {
 #[test]
 fn a_balanced_shaft_needs_no_counterweight_and_that_is_proved() {
     let i4 = file::find("I4").expect("I4").engine().expect("it reads");
-    let none = sweep::counterweight(&i4).expect("planes");
+    let none = sweep::judge(&i4, None, &[1], &Geometry::default()).expect("judged").counterweight.expect("planes");
     assert!(none.vanishes && none.value == 0.0);
     let i2 = file::parse("i2.toml", "[inline]\nthrows = [0, 0]").expect("it reads");
     // P = 2, one in each plane: U = 1/2.
-    assert!(close(sweep::counterweight(&i2).expect("planes").value, 0.5));
+    assert!(close(
+        sweep::judge(&i2, None, &[1], &Geometry::default()).expect("judged").counterweight.expect("planes").value,
+        0.5
+    ));
 }
 
 #[test]
@@ -235,10 +238,14 @@ fn the_most_even_firing_of_the_six_is_that_of_its_bank_angle() {
         assert!(!evenness.of_the_file);
     }
     let of_the_file = file::find("I6").expect("I6").engine().expect("it reads");
-    let even = sweep::evenness(&of_the_file, None).expect("a firing order");
+    let even =
+        sweep::judge(&of_the_file, None, &[1], &Geometry::default()).expect("judged").evenness.expect("a firing order");
     assert!(even.of_the_file && even.unevenness() == fraction(0, 1));
     let two_stroke = file::parse("i3.toml", "[inline]\nthrows = [0, 120, 200]").expect("it reads");
-    let uneven = sweep::evenness(&two_stroke, Some(Cycle::TwoStroke)).expect("a cycle");
+    let uneven = sweep::judge(&two_stroke, Some(Cycle::TwoStroke), &[1], &Geometry::default())
+        .expect("judged")
+        .evenness
+        .expect("a cycle");
     assert_eq!(
         (uneven.longest * fraction(360, 1), uneven.shortest * fraction(360, 1)),
         (fraction(160, 1), fraction(80, 1))
@@ -249,9 +256,15 @@ fn the_most_even_firing_of_the_six_is_that_of_its_bank_angle() {
 fn more_cylinders_than_a_word_has_bits_fire_too() {
     let throws: Vec<String> = (0..72).map(|place| (place * 5).to_string()).collect();
     let engine = file::parse("i72.toml", &format!("inline.throws = [{}]", throws.join(", "))).expect("it reads");
-    let even = sweep::evenness(&engine, Some(Cycle::TwoStroke)).expect("a cycle");
+    let even = sweep::judge(&engine, Some(Cycle::TwoStroke), &[1], &Geometry::default())
+        .expect("judged")
+        .evenness
+        .expect("a cycle");
     assert_eq!((even.longest, even.shortest), (fraction(1, 72), fraction(1, 72)));
-    assert!(sweep::evenness(&engine, Some(Cycle::FourStroke)).is_none(), "too many orders to try");
+    assert!(
+        sweep::judge(&engine, Some(Cycle::FourStroke), &[1], &Geometry::default()).expect("judged").evenness.is_none(),
+        "too many orders to try"
+    );
 }
 
 #[test]

@@ -189,7 +189,10 @@ fn pistons_that_share_a_cylinder_fire_together() {
     let opposed = "cycle = 'two-stroke'\nopposed_piston = { throws = [0, 120, 240], lead = 11 }";
     for text in [opposed, "cycle = 'two-stroke'\ndelta = { rows = [0], circumradius = 6 }"] {
         let engine = file::parse("layout.toml", text).expect("an engine");
-        let even = sweep::evenness(&engine, engine.cycle()).expect("it fires");
+        let even = sweep::judge(&engine, engine.cycle(), &[1], &Geometry::default())
+            .expect("judged")
+            .evenness
+            .expect("it fires");
         // Those of a row of a delta fire 40° apart, and six rows fill the turn.
         let [longest, shortest] = if text == opposed { [120, 120] } else { [280, 40] };
         let turns = |degrees: i32| BigRational::new(degrees.into(), 360.into());
@@ -199,7 +202,12 @@ fn pistons_that_share_a_cylinder_fire_together() {
         assert!(stars.len() == 1 && stars[0].terms().len() == 3, "{text}");
         // Without a cycle nothing says how often they fire.
         let silent = file::parse("layout.toml", text.split_once('\n').expect("two lines").1).expect("an engine");
-        assert_eq!(sweep::evenness(&silent, silent.cycle().or(engine.cycle())), None);
+        assert_eq!(
+            sweep::judge(&silent, silent.cycle().or(engine.cycle()), &[1], &Geometry::default())
+                .expect("judged")
+                .evenness,
+            None
+        );
     }
     let swept = swept(opposed, &["opposed_piston.lead=5..15:5"], &["1"]).expect("a sweep");
     assert!(swept.points.iter().all(|point| point.evenness.is_some()));

@@ -34,13 +34,6 @@ pub enum NoPattern {
 }
 
 impl FiringPattern {
-    /// The star of an order; it is that of the same place in the first period.
-    pub fn star(&self, order: CycleOrder) -> &StarOrder {
-        let step = self.cycle.lowest_order().halves() as usize;
-        let index = order.halves() as usize / step;
-        &self.orders[(index + self.orders.len() - 1) % self.orders.len()]
-    }
-
     /// After which order the stars repeat.
     pub fn repeats_after(&self) -> CycleOrder {
         self.orders.last().map_or_else(|| self.cycle.lowest_order(), |last| last.order)

@@ -143,11 +143,6 @@ impl CylinderGas {
         self.sides.iter().map(|side| (side.pressure(&self.geometry, psi) - self.crankcase) * side.area).sum()
     }
 
-    /// Force `F_g tan β` of the wall on the piston, in newtons.
-    pub fn side(&self, psi: f64) -> f64 {
-        self.force(psi) * self.geometry.slope(psi)
-    }
-
     /// Torque of the gas on the crank, in newton-metres.
     pub fn torque(&self, psi: f64) -> f64 {
         self.force(psi) * self.geometry.radius * self.geometry.lever(psi)

@@ -77,11 +77,6 @@ impl Harmonics {
         Harmonics { revolutions: gas.revolutions(), force, side, torque, errors, variation: variation(gas) }
     }
 
-    /// The order of a harmonic.
-    pub fn order(&self, index: usize) -> f64 {
-        index as f64 / f64::from(self.revolutions)
-    }
-
     /// An order of the torque; zero where there is none, and above those that were computed.
     pub fn torque_at(&self, order: CycleOrder) -> Complex<f64> {
         let index = order.halves() * self.revolutions / 2;

@@ -127,11 +127,6 @@ impl ForceHistory {
         &self.classes
     }
 
-    /// What the rotating part of a cylinder's rod pulls its crankpin outward with, in newtons.
-    pub fn rotating(&self, index: usize) -> f64 {
-        self.cylinders[index].rotating
-    }
-
     /// Cylinders, by index, whose crankpins feel the same seen from the crank, each when it fires.
     pub fn alike(&self) -> Vec<Vec<usize>> {
         let mut groups: Vec<Vec<usize>> = Vec::new();
@@ -212,13 +207,9 @@ impl ForceHistory {
         (0..self.cylinders.len()).filter(move |&link| self.master_of(link) == Some(index))
     }
 
-    /// The side force of the wall on a piston, a quarter turn anticlockwise from the axis outward: on a master's with what its links put
-    /// on it.
-    pub fn side(&self, index: usize, theta: f64) -> f64 {
-        self.side_of(index, theta, self.forces(index, theta))
-    }
-
-    pub(super) fn side_of(&self, index: usize, theta: f64, forces: PistonForces) -> f64 {
+    /// The side force of the wall on a piston in which these forces act, a quarter turn anticlockwise from the axis outward: on a master's with
+    /// what its links put on it.
+    pub fn side_of(&self, index: usize, theta: f64, forces: PistonForces) -> f64 {
         let of_link = |link: usize| {
             let hung = self.cylinders[link].hung.as_ref();
             let load = self.knuckle_parts(link, theta).map_or_else(Complex::default, |[inertia, gas]| inertia + gas);
@@ -265,13 +256,9 @@ impl ForceHistory {
         force * (cylinder.throw * Complex::cis(cylinder.turns * theta)).conj()
     }
 
-    /// The pull of the big end on its pin along the rod, towards the piston: the bolts of its cap bear it, less what the cap itself makes. A
-    /// master rod pulls with all its links, a link on its knuckle pin.
-    pub fn pull(&self, index: usize, theta: f64) -> f64 {
-        self.pull_of(index, theta, self.forces(index, theta))
-    }
-
-    pub(super) fn pull_of(&self, index: usize, theta: f64, forces: PistonForces) -> f64 {
+    /// The pull of the big end on its pin along the rod, towards the piston, in which these forces act: the bolts of its cap bear it, less what
+    /// the cap itself makes. A master rod pulls with all its links, a link on its knuckle pin.
+    pub fn pull_of(&self, index: usize, theta: f64, forces: PistonForces) -> f64 {
         let along = forces.rod_direction() * self.cylinders[index].axis;
         let own = self.knuckle_parts_of(index, theta, forces);
         let [inertia, gas] = own.unwrap_or_else(|| self.pin_parts_of(index, theta, forces));

@@ -45,11 +45,6 @@ impl<'a> Spectrum<'a> {
         self.highest = self.highest.max(highest);
     }
 
-    /// The order up to which all are there.
-    pub fn highest(&self) -> u32 {
-        self.highest
-    }
-
     fn swings(&self, quantity: Planar) -> impl Iterator<Item = (u32, &Swing)> {
         self.orders.iter().map(move |order| (order.order, order.swing(quantity)))
     }

@@ -40,30 +40,25 @@ pub struct Front {
 ///
 /// ```standalone_crate
 /// # use crankstar_kernel as crankstar;
+/// use crankstar::file::FileResolver;
 /// use crankstar::optimise::{Couple, Residual, Request, front};
 /// let file = "speed = 6000\nbearings = [1.5, 0.5, -0.5, -1.5]\n[inline]\nthrows = [0, 120, 240]\n[mechanism]\n\
 ///     reciprocating_mass = 0.65\nrotating_mass = 0.5\ncrank_radius = '45 mm'\nrod_ratio = 0.25\n\
 ///     [crankshaft]\nbalance_factor = 1\ncounterweight_radius = '45 mm'\nweb_offset = 0.2";
 /// let i3 = crankstar::file::parse("i3.toml", file).unwrap();
 /// let request = Request { couple: Couple::Zero, points: 2, orders: vec![1, 2] };
-/// let front = front(&i3, &request).unwrap();
+/// let front = front(&i3, &request, FileResolver::nothing()).unwrap();
 /// let [lightest, calmest] = front.points.as_slice() else { panic!() };
 /// assert!(lightest.design.mass < calmest.design.mass && lightest.design.peak() > calmest.design.peak());
 /// assert_eq!((lightest.design.force, lightest.design.couple), (Residual::Zero, Residual::Zero));
 /// assert!(calmest.least > 0.999 * calmest.design.peak());
 /// ```
 ///
-/// # Errors
-/// [`OptimiseError`] says what is missing.
-pub fn front(engine: &Engine, request: &Request) -> Result<Front, OptimiseError> {
-    front_beside(engine, request, FileResolver::nothing())
-}
-
-/// The same of an engine whose layout names a file beside itself, which `beside` reads: the layout is written and read back.
+/// The layout is written and read back: `beside` reads a file that it names beside itself.
 ///
 /// # Errors
 /// [`OptimiseError`] says what is missing.
-pub fn front_beside(engine: &Engine, request: &Request, beside: FileResolver<'_>) -> Result<Front, OptimiseError> {
+pub fn front(engine: &Engine, request: &Request, beside: FileResolver<'_>) -> Result<Front, OptimiseError> {
     if !(1..=MOST_POINTS).contains(&request.points) {
         return Err(OptimiseError::Points(request.points));
     }

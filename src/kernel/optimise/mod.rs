@@ -38,7 +38,7 @@ pub use best::Optimum;
 pub use design::{Design, PlacedWeight, measure};
 pub use error::OptimiseError;
 pub use first::Residual;
-pub use front::{Front, Uniform, front, front_beside};
+pub use front::{Front, Uniform, front};
 pub use place::{Place, places, uniform};
 
 /// What is asked of the counterweights.

@@ -57,5 +57,5 @@ pub use pieces::{Pieces, search};
 pub use plan::Way;
 pub use problem::{FINEST_GRID, MOST_GRID_STARS, MOST_ORDERS, MOST_THROWS, Problem, ProblemError, bank_angle};
 pub use sizes::Sizes;
-pub use theorems::{Theorems, answer, described, pins, theorems};
+pub use theorems::{Theorems, answer, described, theorems};
 pub use torsion::{MOST_TORSION_STARS, RankedOrder, StarTorsion, Torsion, torsion};

@@ -9,7 +9,7 @@ use super::space::Space;
 use super::tables::Tables;
 use super::walk::Counts;
 use super::{judged, symmetry};
-use crate::stars::{self, Count, Fate, Least, Made, Obstruction, Pins, Star};
+use crate::stars::{self, Count, Fate, Least, Made, Obstruction, Star};
 
 /// Up to this many throws all stars are searched where a theorem gives one without their count: that takes seconds.
 const SEARCHED_AT_ONCE: u32 = 16;
@@ -107,9 +107,4 @@ pub fn described(problem: &Problem) -> Option<Front> {
     let mut front = answer::answer(problem, &space, points, Counts::default());
     front.stars.iter_mut().for_each(|star| star.by_theorem = true);
     Some(Front { described: Some(made.by), ..front })
-}
-
-/// Where the throws of a question are in evenly spread directions, each equally often.
-pub fn pins(problem: &Problem) -> Option<Pins> {
-    problem.pins()
 }

@@ -5,7 +5,7 @@ use num_rational::BigRational;
 use num_traits::{ToPrimitive, Zero};
 
 use super::amplitude::{Amplitude, float};
-use super::integers::{IntegerEngine, KnownWeights};
+use super::integers::IntegerEngine;
 use crate::engine::{Cylinder, Engine, throws};
 use crate::order::{self, Factor};
 use crate::proof::{Planar, Sense};
@@ -15,12 +15,9 @@ use crate::proof::{Planar, Sense};
 ///
 /// A couple alone, √3 a in a six of three throws, needs `U = |C|/2b` in each plane, b apart: then a counterweight at
 /// the radius ρ weighs `m_cw = U/ρ` (Grigoryev, Vasilyev and Dolgov, section 2).
-pub fn counterweight(engine: &Engine) -> Option<Amplitude> {
-    counterweight_of(engine, IntegerEngine::new(engine, &mut KnownWeights::default()).as_ref())
-}
-
-/// The same for an engine whose whole numbers are known already.
-pub(super) fn counterweight_of(engine: &Engine, whole: Option<&IntegerEngine>) -> Option<Amplitude> {
+///
+/// The whole numbers of the engine may be known already.
+pub(super) fn counterweight(engine: &Engine, whole: Option<&IntegerEngine>) -> Option<Amplitude> {
     let whole = whole.filter(|whole| whole.knows(1));
     let [force, moment] = match whole {
         Some(_) if engine.has_offset() => return None,

@@ -35,12 +35,9 @@ const MOST_CYLINDERS: usize = 12;
 /// In a four-stroke engine each cylinder fires at every other of its top dead centres: all choices are tried for up to 12
 /// cylinders, and of those with the least difference the one with the shortest longest interval is taken. None where two pistons share a
 /// cylinder: it is not each piston that fires.
-pub fn evenness(engine: &Engine, cycle: Option<Cycle>) -> Option<Evenness> {
-    evenness_of(engine, cycle, None)
-}
-
-/// The same for an engine whose whole numbers may be known already.
-pub(super) fn evenness_of(engine: &Engine, cycle: Option<Cycle>, known: Option<&IntegerEngine>) -> Option<Evenness> {
+///
+/// The whole numbers of the engine may be known already.
+pub(super) fn evenness(engine: &Engine, cycle: Option<Cycle>, known: Option<&IntegerEngine>) -> Option<Evenness> {
     if let Some(firing) = engine.firing() {
         let intervals = firing.intervals();
         let (longest, shortest) = (intervals.iter().max()?.clone(), intervals.iter().min()?.clone());
@@ -56,7 +53,7 @@ pub(super) fn evenness_of(engine: &Engine, cycle: Option<Cycle>, known: Option<&
     Some(Evenness { longest: turns(longest), shortest: turns(shortest), of_the_file: false })
 }
 
-/// When the cylinders fire by the file; without it each of the equally even orders of which [`evenness`] tells the intervals.
+/// When the cylinders fire by the file; without it each of the equally even orders that are the most even.
 pub fn most_even_firings(engine: &Engine, cycle: Option<Cycle>) -> Vec<Firing> {
     if let Some(firing) = engine.firing() {
         return vec![firing.clone()];

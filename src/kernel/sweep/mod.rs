@@ -24,9 +24,8 @@ mod swept_engine;
 mod zeros;
 
 pub use amplitude::{Amplitude, Amplitudes};
-pub use counterweight::counterweight;
 pub use envelope::{Envelope, Geometry, envelope};
-pub use evenness::{Evenness, dead_centre_intervals, evenness, most_even_firings};
+pub use evenness::{Evenness, dead_centre_intervals, most_even_firings};
 pub use firing::{FiringSweep, FiringZeros, StarLength};
 pub use multiples::Multiples;
 pub use observed::{Observed, ObservedSweep, Observer};

@@ -7,9 +7,9 @@ use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
 
 use super::amplitude::{Amplitude, Amplitudes, float};
-use super::counterweight::counterweight_of;
+use super::counterweight::counterweight;
 use super::envelope::{Envelope, Geometry, envelope};
-use super::evenness::{Evenness, dead_centre_intervals, evenness_of};
+use super::evenness::{Evenness, dead_centre_intervals, evenness};
 use super::integers::{IntegerEngine, KnownWeights, Pair};
 use crate::engine::{self, Cycle, Engine, Rod};
 use crate::loads::{self, Missing};
@@ -150,10 +150,10 @@ pub(super) fn judge_with(
         orders,
         newtons: loads::scale(engine).filter(|_| rods_known).map(|scale| scale.force()),
         kilograms: mechanism.mass.as_ref().and_then(|_| engine.unit_mass().to_f64()),
-        evenness: evenness_of(engine, cycle, whole.as_ref()),
+        evenness: evenness(engine, cycle, whole.as_ref()),
         dead_centres_apart: engine.has_dead_centres_apart(),
         dead_centres: dead_centre_intervals(engine),
-        counterweight: counterweight_of(engine, whole.as_ref()),
+        counterweight: counterweight(engine, whole.as_ref()),
         envelope: envelope(engine, geometry),
     })
 }

@@ -3,7 +3,7 @@
 use super::amounts::Units;
 use crate::engine::Engine;
 use crate::file::FileResolver;
-use crate::optimise::{Couple, Front, OptimiseError, Request, front_beside};
+use crate::optimise::{Couple, Front, OptimiseError, Request, front};
 use crate::page::File;
 
 /// The best crankshafts of an engine.
@@ -24,7 +24,7 @@ impl OptimiseStudy {
     /// # Errors
     /// See [`OptimiseError`].
     pub fn new(engine: &Engine, request: Request, beside: FileResolver<'_>) -> Result<Self, OptimiseError> {
-        let front = front_beside(engine, &request, beside)?;
+        let front = front(engine, &request, beside)?;
         Ok(OptimiseStudy { engine: engine.clone(), front, couple: request.couple, files: Vec::new() })
     }
 

@@ -6,7 +6,7 @@
 use crankstar::engine::{CycleOrder, Engine, Firing};
 use crankstar::exact::PhasorSum;
 use crankstar::file::{Template, parse_length};
-use crankstar::sweep::{self, Amplitude, Parameter};
+use crankstar::sweep::{self, Amplitude, Geometry, Parameter};
 use crankstar::torque::{self, TorqueOrder};
 use num_rational::BigRational;
 use num_traits::{Signed, ToPrimitive, Zero};
@@ -133,7 +133,9 @@ fn with_flywheel(at: BigRational, firing: Firing, engine: &Engine, radii: [&BigR
         speed,
         inertia: needed.inertia,
         flywheel: needed.inertia / (ring * ring),
-        counterweights: sweep::counterweight(engine)
+        counterweights: sweep::judge(engine, None, &[1], &Geometry::default())
+            .map_err(|lack| lack.to_string())?
+            .counterweight
             .map(|larger| Amplitude { value: 2.0 * larger.value * unit / centre, ..larger }),
     })
 }
