@@ -39,11 +39,11 @@ impl<A, L: Length> Draft<A, L> {
             not_negative(&cylinder.knuckle_mass, || format!("the mass at the knuckle pin of cylinder {name}"))?;
             positive(&cylinder.crank_radius, || format!("the crank radius of cylinder {name}"))?;
             if cylinder.crank >= self.geared_cranks.len().max(1) {
-                return Err(BuildError::NoSuchCrank { cylinder: name.clone() });
+                return Err(BuildError::NoSuchCrank(name.clone()));
             }
             let mechanism = cylinder.mechanism.as_ref();
             if mechanism != turning && mechanism.is_some_and(|mechanism| !mechanism.turns_round()) {
-                return Err(BuildError::CannotTurnRound { cylinder: name.clone() });
+                return Err(BuildError::CannotTurnRound(name.clone()));
             }
             turning = mechanism;
             if let Some(own) = cylinder.shared {
@@ -51,13 +51,13 @@ impl<A, L: Length> Draft<A, L> {
                     self.cylinders.iter().filter_map(|other| other.shared).filter(|other| other.number == own.number);
                 let seconds: Vec<bool> = within.map(|other| other.is_second).collect();
                 if !matches!(seconds[..], [true, false] | [false, true]) {
-                    return Err(BuildError::Shared { cylinder: name.clone() });
+                    return Err(BuildError::Shared(name.clone()));
                 }
             }
         }
         let without = self.cylinders.iter().find(|cylinder| cylinder.mechanism.is_none());
         if let Some(cylinder) = without.filter(|_| self.cylinders.iter().any(|one| one.mechanism.is_some())) {
-            return Err(BuildError::MechanismMissing { cylinder: cylinder.name.clone() });
+            return Err(BuildError::MechanismMissing(cylinder.name.clone()));
         }
         if let Some(first) = self.geared_cranks.first() {
             if first.sense == Sense::Reverse || first.speed != 1 {

@@ -30,17 +30,11 @@ pub enum BuildError {
         value: BigRational,
     },
     /// Some cylinders have a mechanism, and others none.
-    #[error("cylinder {cylinder} has no mechanism and others have one; give it to all, or to none")]
-    MechanismMissing {
-        /// The first cylinder without one.
-        cylinder: String,
-    },
+    #[error("cylinder {0} has no mechanism and others have one; give it to all, or to none")]
+    MechanismMissing(String),
     /// A rod that is too short for its crank and offset.
-    #[error("cylinder {cylinder} cannot turn round: its rod is too short")]
-    CannotTurnRound {
-        /// The cylinder.
-        cylinder: String,
-    },
+    #[error("cylinder {0} cannot turn round: its rod is too short")]
+    CannotTurnRound(String),
     /// A number that is no order.
     #[error("{0}")]
     Order(NotAnOrder),
@@ -61,11 +55,8 @@ pub enum BuildError {
     #[error("a balancer shaft takes the coefficient of cylinder {}, which is not there", .0 + 1)]
     NoSuchCylinder(usize),
     /// A cylinder on a crankshaft that is not there.
-    #[error("cylinder {cylinder} is on a crankshaft that is not there")]
-    NoSuchCrank {
-        /// The cylinder.
-        cylinder: String,
-    },
+    #[error("cylinder {0} is on a crankshaft that is not there")]
+    NoSuchCrank(String),
     /// The first of several crankshafts is not the reference: it turns against it, or faster.
     #[error("the first of several crankshafts turns with the reference, once while it turns once")]
     FirstCrank,
@@ -85,11 +76,8 @@ pub enum BuildError {
     )]
     FasterCrank(&'static str),
     /// A cylinder that is shared, but not by two pistons.
-    #[error("the cylinder of piston {cylinder} is shared, but not by two pistons")]
-    Shared {
-        /// One of them.
-        cylinder: String,
-    },
+    #[error("the cylinder of piston {0} is shared, but not by two pistons")]
+    Shared(String),
     /// A firing order that has not every cylinder once.
     #[error("each cylinder fires once in a cycle")]
     Firing,
@@ -97,11 +85,8 @@ pub enum BuildError {
     #[error("{0}")]
     Gas(GasMistake),
     /// A link without a master rod: its crankpin has none of this rod ratio at the angle that it names.
-    #[error("the link of cylinder {cylinder} is on no rod of its crankpin")]
-    NoMaster {
-        /// The cylinder.
-        cylinder: String,
-    },
+    #[error("the link of cylinder {0} is on no rod of its crankpin")]
+    NoMaster(String),
     /// What is computed of rods on the crankpins alone, in an engine with others.
     #[error("with {0} {1} cannot be computed; leave it out, or give rods on the crankpins")]
     OfRodsAlone(NotARod, &'static str),

@@ -12,7 +12,7 @@ pub(super) fn check(engine: &Engine) -> Result<(), BuildError> {
             continue;
         }
         if !engine.cylinders().iter().any(|other| other.is_master_of(cylinder)) {
-            return Err(BuildError::NoMaster { cylinder: cylinder.name.clone() });
+            return Err(BuildError::NoMaster(cylinder.name.clone()));
         }
     }
     let has_several = |shaft: &Balancer| {

@@ -36,20 +36,9 @@ pub(super) const KEYS: [(&str, Key); 16] = [
 /// From here on they are of the events of a cycle, one after the other.
 pub(super) const FIRST_EVENT: usize = 11;
 
-/// Keys of combustion that a compressor does not have.
-const OF_COMBUSTION: [&str; 11] = [
-    "compression_ratio",
-    "exhaust_pressure",
-    "heat",
-    "peak_pressure",
-    "mean_pressure",
-    "wiebe_exponent",
-    "intake_closes",
-    "combustion_starts",
-    "combustion_lasts",
-    "exhaust_opens",
-    "blowdown",
-];
+/// The keys that a compressor has; the others are of combustion.
+const OF_A_STAGE: [&str; 5] =
+    ["intake_pressure", "delivery_pressure", "clearance", "compression_exponent", "expansion_exponent"];
 
 /// How the value behind a key is read.
 type Reader = fn(&Text) -> Result<BigRational, LayoutError>;
@@ -109,7 +98,7 @@ pub(super) fn read(process: &Text, settings: &Settings<'_>, cycle: Cycle) -> Res
 
 impl Settings<'_> {
     fn cycle(&self, ignition: Ignition, cycle: Cycle) -> Result<PressureLaw, LayoutError> {
-        self.without(&["delivery_pressure", "clearance"], "a combustion engine")?;
+        self.without(|key| ["delivery_pressure", "clearance"].contains(&key), "a combustion engine")?;
         let Some(ratio) = self.text(Setting::CompressionRatio) else {
             return Err(self.lacks("a cycle without a compression ratio", "add compression_ratio = 10"));
         };
@@ -174,7 +163,7 @@ impl Settings<'_> {
     }
 
     fn stage(&self, process: &Text) -> Result<PressureLaw, LayoutError> {
-        self.without(&OF_COMBUSTION, "a compressor")?;
+        self.without(|key| !OF_A_STAGE.contains(&key), "a compressor")?;
         let needed = |setting: Setting, read: Reader| {
             self.read(setting, read)?.ok_or_else(|| {
                 let message = format!("a compressor without {}", setting.key());
@@ -201,8 +190,8 @@ impl Settings<'_> {
     }
 
     /// Keys that say nothing of this kind of process.
-    fn without(&self, names: &[&str], of: &str) -> Result<(), LayoutError> {
-        let mut named = KEYS.iter().filter(|(name, _)| names.contains(name));
+    fn without(&self, is_other: impl Fn(&str) -> bool, of: &str) -> Result<(), LayoutError> {
+        let mut named = KEYS.iter().filter(|(name, _)| is_other(name));
         match named.find_map(|(name, key)| Some((name, self.0.pick(*key)?))) {
             None => Ok(()),
             Some((name, text)) => Err(LayoutError::new(format!("{name} in {of}"), "leave it out", place(text))),
