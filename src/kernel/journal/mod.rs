@@ -16,7 +16,7 @@ pub use carried::Carried;
 pub use force_history::{ForceHistory, PistonForces};
 pub use instant::{Instants, PistonAt};
 pub use largest::{CyclePeak, CylinderPeaks};
-pub use order::{CycleMean, GasStars, JournalOrder, Series};
+pub use order::{CycleMean, JournalOrder, Series};
 pub use peak::LoadPeak;
 pub use shared::SharedPin;
 
@@ -50,8 +50,6 @@ pub struct CycleLoads {
 /// What one cylinder does.
 #[derive(Clone, Debug)]
 pub struct CylinderLoads {
-    /// Where its crankpin stands, in the unit of the layout's positions.
-    pub position: BigRational,
     /// The largest forces.
     pub peaks: CylinderPeaks,
     /// The load of its crankpin by orders.
@@ -74,8 +72,6 @@ pub struct KnuckleLoads {
 /// What all main bearings feel.
 #[derive(Clone, Debug)]
 pub struct CycleBearings {
-    /// How loads are shared.
-    pub method: Method,
     /// The bearings, in the order of the file.
     pub bearings: Vec<CycleBearing>,
     /// Indices of those with the largest peak.
@@ -91,9 +87,7 @@ pub struct CycleBearing {
     pub crank: usize,
     /// Where it stands, in the unit of the layout's positions.
     pub position: BigRational,
-    /// What it carries of a unit load on each crankpin: exact.
-    pub parts: Vec<BigRational>,
-    /// The same in decimals, and the force of the masses of the shaft itself at θ = 0.
+    /// What it carries of a unit load on each crankpin in decimals, and the force of the masses of the shaft itself at θ = 0.
     pub carried: Carried,
     /// The largest force in a cycle.
     pub peak: CyclePeak,
@@ -161,11 +155,10 @@ pub fn cycle_loads(engine: &Engine) -> Result<CycleLoads, Missing> {
     let course = ForceHistory::new(engine, classes, scale.force());
     let samples = Samples::new(&course);
     let handed = order::handed_on(engine, &course);
-    let cylinders = engine.cylinders().iter().enumerate().zip(&pins.pins).map(|((index, cylinder), pin)| {
+    let cylinders = pins.pins.iter().enumerate().map(|(index, pin)| {
         let own = |of: usize| BigRational::from_integer(i32::from(of == index).into());
         let inertia = pin.orders.iter().map(|order| (order.order, &order.swing));
         CylinderLoads {
-            position: cylinder.position.clone(),
             peaks: CylinderPeaks::new(&course, &samples, index),
             pin: order::series(engine, &handed, own, inertia, scale.force()),
         }
@@ -262,10 +255,9 @@ fn bearings(
             inertia: inertia_alone,
             series: order::series(engine, handed, |of| parts[of].clone(), inertia, newtons),
             carried,
-            parts,
         }
     };
     let bearings: Vec<CycleBearing> = moving.bearings.iter().zip(all).map(bearing).collect();
     let worst = worst(bearings.iter().map(|bearing| bearing.peak.value));
-    Ok(CycleBearings { method, bearings, worst })
+    Ok(CycleBearings { bearings, worst })
 }

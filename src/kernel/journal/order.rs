@@ -18,15 +18,6 @@ use crate::numbers;
 use crate::proof::Sense;
 use crate::torque::{self, Class};
 
-/// The stars of one class of equal cylinders: what turns with the crank, and against it.
-#[derive(Clone, Debug)]
-pub struct GasStars {
-    /// `Σ ρ_j e^{i(α_j − κφ_j)}`.
-    pub direct: PhasorSum,
-    /// `Σ ρ_j e^{i(α_j + κφ_j)}`.
-    pub reverse: PhasorSum,
-}
-
 /// One order of a load: `direct · e^{iκθ} + reverse · e^{−iκθ}`, in newtons.
 #[derive(Clone, Debug)]
 pub struct JournalOrder {
@@ -36,8 +27,6 @@ pub struct JournalOrder {
     pub gas: [Complex<f64>; 2],
     /// Both vectors of the masses: zero at halves.
     pub inertia: [Complex<f64>; 2],
-    /// The exact stars of the gas, one pair a class of equal cylinders.
-    pub stars: Vec<GasStars>,
     /// Whether the gas leaves nothing of it, proved, for every pressure that the cylinders of a class share.
     pub gas_vanishes: bool,
     /// Whether the masses leave nothing of it, proved.
@@ -191,23 +180,21 @@ pub(super) fn series<'a>(
                 Sense::Reverse => order.times(fires),
             })
         };
-        let stars: Vec<GasStars> = classes
-            .iter()
-            .map(|class| GasStars { direct: turned(class, Sense::Direct), reverse: turned(class, Sense::Reverse) })
-            .collect();
-        let with = |value: &dyn Fn(&HandedOn, &GasStars) -> Complex<f64>| {
-            classes.iter().zip(&stars).map(|(class, stars)| value(class, stars)).sum()
-        };
+        // `Σ ρ_j e^{i(α_j − κφ_j)}` of each class, and `Σ ρ_j e^{i(α_j + κφ_j)}`.
+        let stars: Vec<[PhasorSum; 2]> =
+            classes.iter().map(|class| Sense::BOTH.map(|sense| turned(class, sense))).collect();
+        let gas = [0, 1].map(|way: usize| {
+            let part = |(class, stars): (&HandedOn, &[PhasorSum; 2])| {
+                -class.vectors[index][way] / 2.0 * numbers::evaluate(&stars[way])
+            };
+            classes.iter().zip(&stars).map(part).sum()
+        });
         let whole = order.is_whole().then(|| order.halves() / 2);
         Some(JournalOrder {
-            gas: [
-                with(&|class, stars| -class.vectors[index][0] / 2.0 * numbers::evaluate(&stars.direct)),
-                with(&|class, stars| -class.vectors[index][1] / 2.0 * numbers::evaluate(&stars.reverse)),
-            ],
+            gas,
             inertia: whole.map_or_else(Default::default, vectors),
-            gas_vanishes: stars.iter().all(|stars| stars.direct.vanishes() && stars.reverse.vanishes()),
+            gas_vanishes: stars.iter().flatten().all(PhasorSum::vanishes),
             inertia_vanishes: whole.is_none_or(vanishes),
-            stars,
             order,
         })
     };
