@@ -6,7 +6,7 @@ use num_traits::{One, Signed};
 use super::residual::{largest, line_bearing, shape_name};
 use crate::engine::DOES_NOT_EXIST;
 use crate::page::{Choice, Text};
-use crate::proof::{Planar, Sense, Shape, ShapeEvidence};
+use crate::proof::{Sense, Shape, ShapeEvidence};
 use crate::report::texts::residual as text;
 use crate::verdict::{Balance, Outcome, WholeOrder};
 
@@ -43,10 +43,7 @@ pub(super) fn sentence(balance: &Balance) -> Text {
 
 /// What the sums are called: `P` of the force, `C` of the moment.
 fn letter(balance: &Balance) -> &'static str {
-    match balance.quantity {
-        Planar::Force => "P",
-        Planar::Moment => "C",
-    }
+    balance.quantity.choose("P", "C")
 }
 
 /// `½|P_2⁺|`.

@@ -35,10 +35,7 @@ pub(super) fn plane_of_vanishing(engine: &Engine, order: &OrderBalance, senses: 
 
 /// One of the two vectors.
 pub(super) fn of(balance: &crate::verdict::Balance, sense: Sense) -> &crate::verdict::Verdict {
-    match sense {
-        Sense::Direct => &balance.direct,
-        Sense::Reverse => &balance.reverse,
-    }
+    sense.choose(&balance.direct, &balance.reverse)
 }
 
 /// Whether the layout is a vee whose cylinders stand pin by pin in one plane, so that an offset is a change. Links are in the plane

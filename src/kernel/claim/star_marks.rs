@@ -62,10 +62,7 @@ impl Star {
 }
 
 fn column(sense: Sense) -> usize {
-    match sense {
-        Sense::Direct => 0,
-        Sense::Reverse => 1,
-    }
+    sense.choose(0, 1)
 }
 
 /// Where an entry stands.

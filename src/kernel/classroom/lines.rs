@@ -17,10 +17,7 @@ pub(super) const CONVENTION: &str = "convention ";
 const DEGREES: [&str; 5] = ["", "deg", "degree", "degrees", "°"];
 
 pub(super) fn sum_name(quantity: Planar) -> &'static str {
-    match quantity {
-        Planar::Moment => "sum of moments",
-        Planar::Force => "sum of forces",
-    }
+    quantity.choose("sum of forces", "sum of moments")
 }
 
 impl Record {

@@ -155,10 +155,7 @@ fn right_phases(tables: &[MarkedTable]) -> usize {
 fn right_phases_in(pupil: &Pupil, tables: &[(u32, Filled)], convention: &Convention) -> usize {
     let of_table = |(order, filled): &(u32, Filled)| {
         let star = convention.star(&pupil.engine, *order);
-        let right = |cylinder: usize, sense: Sense| match sense {
-            Sense::Direct => &star.phases[cylinder][0],
-            Sense::Reverse => &star.phases[cylinder][1],
-        };
+        let right = |cylinder: usize, sense: Sense| sense.choose(&star.phases[cylinder][0], &star.phases[cylinder][1]);
         let angles =
             filled.phases.iter().filter_map(|(cylinder, sense, angle)| Some((angle.as_ref().ok()?, *cylinder, *sense)));
         angles.filter(|(angle, cylinder, sense)| angle.agrees(right(*cylinder, *sense)) != Agrees::Not).count()

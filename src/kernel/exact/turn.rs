@@ -113,6 +113,13 @@ impl Sub for &Turn {
     }
 }
 
+impl Neg for Turn {
+    type Output = Turn;
+    fn neg(self) -> Turn {
+        -&self
+    }
+}
+
 impl Neg for &Turn {
     type Output = Turn;
     fn neg(self) -> Turn {

@@ -95,9 +95,6 @@ pub struct OpenOrder {
 impl OpenOrder {
     /// The verdicts on both vectors of the force or the moment.
     pub fn verdicts(&self, quantity: Planar) -> &[OpenVerdict; 2] {
-        match quantity {
-            Planar::Force => &self.force,
-            Planar::Moment => &self.moment,
-        }
+        quantity.choose(&self.force, &self.moment)
     }
 }

@@ -4,7 +4,6 @@ use num_rational::BigRational;
 
 use crate::engine::{Balancer, Convention, Counterweight, Engine, throws};
 use crate::exact::fraction;
-use crate::proof::Sense;
 
 /// A balancer shaft as a table of a layout file; its mass-radius is written in multiples of m r, where `unit` is m r in
 /// kilogram-metres and the file does not give it, else in kilogram-metres.
@@ -13,10 +12,7 @@ pub fn balancer_table(engine: &Engine, shaft: &Balancer, unit: Option<&BigRation
         Some(unit) => format!("\"{} m r\"", &shaft.mass_radius / unit),
         None => exact_number(&shaft.mass_radius),
     };
-    let sense = match shaft.sense {
-        Sense::Direct => "with",
-        Sense::Reverse => "against",
-    };
+    let sense = shaft.sense.choose("with", "against");
     let cylinder = shaft.coefficient_of.and_then(|index| engine.cylinders().get(index));
     let coefficient = cylinder.map(|cylinder| format!("coefficient_of = \"{}\"\n", cylinder.name)).unwrap_or_default();
     // Without either key the axis is omitted: one in the middle is written.

@@ -29,10 +29,7 @@ impl OrderLoads {
 
     /// The force or the moment.
     pub fn swing(&self, quantity: Planar) -> &Swing {
-        match quantity {
-            Planar::Force => &self.force,
-            Planar::Moment => &self.moment,
-        }
+        quantity.choose(&self.force, &self.moment)
     }
 
     /// Whether there is something to judge: a piston has the order, or a shaft turns so, or a crankshaft with masses.

@@ -189,10 +189,7 @@ pub(super) fn geared(part: BigRational, speed: u32, exponent: usize) -> BigRatio
 
 /// A part of a vector: turned by its angle in the direct star, the other way in the reverse one.
 fn turned(at: &Turn, weight: &BigRational, part: &Term, sense: Sense) -> Term {
-    let angle = match sense {
-        Sense::Direct => at + &part.angle,
-        Sense::Reverse => at - &part.angle,
-    };
+    let angle = at + &sense.signed(part.angle.clone());
     Term { angle, weight: fraction::times(weight, &part.weight) }
 }
 

@@ -97,10 +97,7 @@ pub fn turning_masses(engine: &Engine) -> Vec<TurningMass> {
             sense: shaft.sense,
             mass_radius: &shaft.mass_radius * part.weight,
             factor,
-            angle: match shaft.sense {
-                Sense::Direct => &shaft.angle + &part.angle,
-                Sense::Reverse => &shaft.angle - &part.angle,
-            },
+            angle: &shaft.angle + &shaft.sense.signed(part.angle),
             position: shaft.position.clone(),
             axis: axis.clone(),
             crank: None,
@@ -164,9 +161,6 @@ pub fn big_end(engine: &Engine, cylinder: &Cylinder) -> BigRational {
 pub(super) fn of_turning(mass: &TurningMass, axis: &Term) -> Term {
     let square = BigRational::from_integer((u64::from(mass.order) * u64::from(mass.order)).into());
     let ahead = &(&mass.angle - &axis.angle) - &Turn::fraction(1, 4);
-    let angle = match mass.sense {
-        Sense::Direct => ahead,
-        Sense::Reverse => -&ahead,
-    };
+    let angle = mass.sense.signed(ahead);
     Term { angle, weight: square * &mass.mass_radius * &axis.weight }
 }

@@ -31,6 +31,14 @@ impl Planar {
     pub fn name(self) -> &'static str {
         Quantity::Planar(self).name()
     }
+
+    /// What is the force's, or what is the moment's.
+    pub fn choose<T>(self, of_force: T, of_moment: T) -> T {
+        match self {
+            Planar::Force => of_force,
+            Planar::Moment => of_moment,
+        }
+    }
 }
 
 /// A quantity about an axis along the crankshaft.
@@ -131,6 +139,14 @@ impl Sense {
     /// Both, direct first.
     pub const BOTH: [Sense; 2] = [Sense::Direct, Sense::Reverse];
 
+    /// What is the direct one's, or what is the reverse one's.
+    pub fn choose<T>(self, of_direct: T, of_reverse: T) -> T {
+        match self {
+            Sense::Direct => of_direct,
+            Sense::Reverse => of_reverse,
+        }
+    }
+
     /// A number that counts with the crank: its opposite against it.
     pub fn signed<T: Neg<Output = T>>(self, number: T) -> T {
         match self {
@@ -141,9 +157,6 @@ impl Sense {
 
     /// The word of the JSON document.
     pub fn name(self) -> &'static str {
-        match self {
-            Sense::Direct => "direct",
-            Sense::Reverse => "reverse",
-        }
+        self.choose("direct", "reverse")
     }
 }

@@ -80,10 +80,7 @@ fn check_class(
     let mut rays = Vec::new();
     for (source, (_, term)) in group.sources.iter().zip(terms) {
         let Source::Cylinder(cylinder, _) = source else { return Err("a term that is not of a cylinder".into()) };
-        let per_order = match claim.sense {
-            Sense::Direct => &cylinder.throw - &cylinder.bank,
-            Sense::Reverse => &cylinder.bank - &cylinder.throw,
-        };
+        let per_order = claim.sense.signed(&cylinder.throw - &cylinder.bank);
         rays.push(([per_order, cylinder.bank.clone()], term.weight));
     }
     refuse_if(class.factors.is_empty(), "a class has one factor at least")?;

@@ -70,10 +70,7 @@ pub(super) fn of_torque(cylinder: &Cylinder, order: u32) -> Vec<Vector> {
 /// The terms of a mass that turns, whose vector is multiplied by its coefficient with these parts.
 pub(super) fn of_turning(mass: &TurningMassClaim, parts: &[Vector]) -> Vec<Vector> {
     let square = BigRational::from_integer(BigInt::from(mass.order) * mass.order);
-    let sign = match mass.sense {
-        Sense::Direct => BigRational::one(),
-        Sense::Reverse => -BigRational::one(),
-    };
+    let sign = mass.sense.signed(BigRational::one());
     let term = |axis: &Vector, part: &Vector| Vector {
         angle: &sign * (&mass.angle - &axis.angle - quarter(1)) + &part.angle,
         weight: &square * &mass.mass_radius * &axis.weight * &part.weight,

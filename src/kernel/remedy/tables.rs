@@ -211,10 +211,7 @@ fn tables(remedy: &Remedy, plane: &Built) -> Vec<String> {
     let terms = parts.flat_map(|(factor, sum)| in_few_terms(sum).into_iter().map(move |term| (factor, term)));
     let exact = terms.flat_map(|(factor, term): (&Factor, Term)| {
         coefficients(engine, factor, weight.order).into_iter().map(move |(coefficient_of, part)| {
-            let turned = match weight.sense {
-                Sense::Direct => &term.angle + &part.angle,
-                Sense::Reverse => &term.angle - &part.angle,
-            };
+            let turned = &term.angle + &weight.sense.signed(part.angle.clone());
             (coefficient_of, &term.weight * part.weight, turned)
         })
     });

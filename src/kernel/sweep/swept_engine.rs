@@ -32,10 +32,7 @@ pub struct SweptOrder {
 impl SweptOrder {
     /// The force or the moment.
     pub fn amplitudes(&self, quantity: Planar) -> &Amplitudes {
-        match quantity {
-            Planar::Force => &self.force,
-            Planar::Moment => &self.moment,
-        }
+        quantity.choose(&self.force, &self.moment)
     }
 }
 

@@ -90,10 +90,7 @@ impl OrderVerdict {
 
     /// The force or the moment.
     pub fn whole(&self, quantity: Planar) -> &WholeOrder {
-        match quantity {
-            Planar::Force => &self.force,
-            Planar::Moment => &self.moment,
-        }
+        quantity.choose(&self.force, &self.moment)
     }
 
     /// The torque or the roll moment, where it was asked for.
@@ -113,10 +110,7 @@ impl OrderVerdict {
 impl OrderBalance {
     /// Of the force or the moment.
     pub fn balance(&self, quantity: Planar) -> &Balance {
-        match quantity {
-            Planar::Force => &self.force,
-            Planar::Moment => &self.moment,
-        }
+        quantity.choose(&self.force, &self.moment)
     }
 
     /// Whether the moment is the same about every plane: the force of this order vanishes.

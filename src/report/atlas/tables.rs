@@ -88,10 +88,7 @@ fn cell(engine: &EngineRow, order: &Order, quantity: Planar) -> Text {
 }
 
 fn part(order: &Order, quantity: Planar) -> &Remaining {
-    match quantity {
-        Planar::Force => &order.force,
-        Planar::Moment => &order.moment,
-    }
+    quantity.choose(&order.force, &order.moment)
 }
 
 fn letters(form: &Form) -> usize {

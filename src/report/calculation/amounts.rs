@@ -166,10 +166,7 @@ pub(in crate::report) fn share(waveform: &Waveform, peak: &Peak) -> f64 {
 
 /// The force or the moment through a revolution.
 pub(super) fn waveform(loads: &Loads, quantity: Planar) -> &Waveform {
-    match quantity {
-        Planar::Force => &loads.force,
-        Planar::Moment => &loads.moment,
-    }
+    quantity.choose(&loads.force, &loads.moment)
 }
 
 /// The torque or the roll moment; none where it is not known.

@@ -91,18 +91,12 @@ const VECTORS: Letters = ["V", "W"];
 const SIZES: Letters = ["F", "M"];
 
 fn letter(of: Planar, [force, moment]: Letters) -> &'static str {
-    match of {
-        Planar::Force => force,
-        Planar::Moment => moment,
-    }
+    of.choose(force, moment)
 }
 
 /// `|V_2⁺|`: the length of a star or a rotating vector.
 fn length_of(letters: Letters, order: u32, of: Planar, sense: Sense) -> String {
-    let sign = match sense {
-        Sense::Direct => "+",
-        Sense::Reverse => "-",
-    };
+    let sign = sense.choose("+", "-");
     format!("\\left|{}_{{{order}}}^{{{sign}}}\\right|", letter(of, letters))
 }
 

@@ -15,10 +15,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
     let [force, moment] = Planar::BOTH.map(|of| (of, waveform(loads, of).peak(), Unit::as_read(engine, loads, of)));
     let share = |group: Option<MassGroup>, (of, peak, unit): &(Planar, Peak, Unit)| -> Text {
         let Some(loads) = loads.groups.iter().find(|loads| Some(loads.group) == group) else { return "–".into() };
-        let waveform = match of {
-            Planar::Force => &loads.force,
-            Planar::Moment => &loads.moment,
-        };
+        let waveform = of.choose(&loads.force, &loads.moment);
         match peak.value == 0.0 || waveform.harmonics().is_empty() {
             true => Text::zero(),
             false => phrase!("{} {}", Text::measured(share(waveform, peak) * unit.factor, unit.unit), unit.label()),

@@ -134,10 +134,7 @@ fn about_order(subject: Subject, order: &OrderBalance) -> Text {
         return text::no_order(k, is_force, WHY_NOT);
     }
     let balance: &Balance = if is_force { &order.force } else { &order.moment };
-    let verdict: Option<&Verdict> = subject.sense.map(|sense| match sense {
-        Sense::Direct => &balance.direct,
-        Sense::Reverse => &balance.reverse,
-    });
+    let verdict: Option<&Verdict> = subject.sense.map(|sense| sense.choose(&balance.direct, &balance.reverse));
     let name = whose(if is_force { "force" } else { residual::moment_name(order) }, subject.masses);
     match verdict {
         Some(verdict) if verdict.vanishes() => text::zero_vector(sense(verdict), name, k, Text::zero()),

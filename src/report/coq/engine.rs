@@ -45,8 +45,5 @@ fn list(entries: Vec<(String, String)>) -> String {
 
 /// A sense as Engine.v calls it.
 pub(super) fn sense(sense: Sense) -> &'static str {
-    match sense {
-        Sense::Direct => "Direct",
-        Sense::Reverse => "Reverse",
-    }
+    sense.choose("Direct", "Reverse")
 }
