@@ -98,14 +98,16 @@ pub struct CycleBearing {
 }
 
 impl CycleLoads {
-    /// How much of the load of any bearing the orders miss at most, looked for half a degree apart; none without bearings.
+    /// How much of the load of any bearing the orders miss at most, by the search that finds the largest loads; none without bearings.
     pub fn missed(&self, bearings: &CycleBearings) -> f64 {
-        let miss = |bearing: &CycleBearing, theta: f64| {
-            (self.course.carried(&bearing.carried, theta) - bearing.series.at(theta)).norm()
+        let period = self.course.period();
+        let grid = torque::angles_with(self.course.kinks(), period);
+        let of_one = |bearing: &CycleBearing| {
+            let miss = |theta: f64| (self.course.carried(&bearing.carried, theta) - bearing.series.at(theta)).norm();
+            let known: Vec<f64> = grid.iter().map(|&theta| miss(theta)).collect();
+            torque::largest(period, &grid, &known, miss).value
         };
-        let all = torque::angles(self.course.period())
-            .flat_map(|theta| bearings.bearings.iter().map(move |bearing| (bearing, theta)));
-        all.map(|(bearing, theta)| miss(bearing, theta)).fold(0.0, f64::max)
+        bearings.bearings.iter().map(of_one).fold(0.0, f64::max)
     }
 }
 

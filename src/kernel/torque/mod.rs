@@ -49,7 +49,7 @@ pub struct EngineTorque {
     pub roll: Option<[Extreme; 2]>,
     /// The torque on each of several crankshafts that are geared together; none where there is one.
     pub shafts: Vec<ShaftTorque>,
-    /// How much the series up to the highest order misses of the torque, at most.
+    /// How much the series up to the highest order misses of the torque, at most, by the search that finds the largest torque.
     pub missed: f64,
     /// Power at the speed in watts; none where no speed is given.
     pub power: Option<f64>,
@@ -101,8 +101,8 @@ pub fn torque_up_to(engine: &Engine, highest_order: u32) -> Result<EngineTorque,
     let omega = bodies::omega(engine);
     let warnings = warnings(engine, &classes);
     let [highest, lowest] = course.extremes(|theta| course.total(theta));
-    let missed =
-        course.angles().map(|theta| (course.total(theta) - mean - series(&orders, theta)).abs()).fold(0.0, f64::max);
+    let [most, least] = course.extremes(|theta| course.total(theta) - mean - series(&orders, theta));
+    let missed = most.value.max(-least.value);
     Ok(EngineTorque {
         mean,
         balance: (mean * course.period() - work).abs() / work.abs().max(1e-3 * moved),
