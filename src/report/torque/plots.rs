@@ -58,6 +58,8 @@ pub(super) fn pressure(engine: &Engine, torque: &EngineTorque) -> [Picture; 2] {
     );
     for (index, class) in torque.classes.iter().take(MOST_CURVES).enumerate() {
         let gas = &class.gas;
+        // The angles of the gas count from where it has its own zero.
+        let zero = gas.zero();
         let mut draw =
             |number: usize, name: String, pascals: &dyn Fn(f64) -> Option<f64>, volume: &dyn Fn(f64) -> f64| {
                 let points = |x: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
@@ -66,11 +68,11 @@ pub(super) fn pressure(engine: &Engine, torque: &EngineTorque) -> [Picture; 2] {
                 over_angle.curves.push(Curve::new(number, name.clone(), points(&f64::to_degrees)));
                 loops.curves.push(Curve::new(number, name, points(volume)));
             };
-        draw(index, name(class), &|psi| Some(gas.pressure(psi)), &|psi| gas.geometry().volume(psi) * 1e6);
+        draw(index, name(class), &|psi| Some(gas.pressure(zero + psi)), &|psi| gas.geometry().volume(zero + psi) * 1e6);
         if gas.pressure_below(0.0).is_some() {
             let name = if torque.classes.len() == 1 { "below".to_owned() } else { format!("below {}", name(class)) };
             let number = index + torque.classes.len().min(MOST_CURVES);
-            draw(number, name, &|psi| gas.pressure_below(psi), &|psi| gas.volume_below(psi) * 1e6);
+            draw(number, name, &|psi| gas.pressure_below(zero + psi), &|psi| gas.volume_below(zero + psi) * 1e6);
         }
     }
     [

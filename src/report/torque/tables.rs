@@ -21,7 +21,7 @@ const BAR: f64 = 1e5;
 pub(super) fn classes(engine: &Engine, torque: &EngineTorque) -> Table {
     let peak_angle = |gas: &CylinderGas| {
         let half = gas.period() / 2.0;
-        (gas.peak_pressure().1 + half).rem_euclid(gas.period()) - half
+        (gas.peak_pressure().1 - gas.zero() + half).rem_euclid(gas.period()) - half
     };
     let heat = |gas: &CylinderGas| match gas.heat().filter(|heat| *heat > 0.0) {
         Some(heat) => Text::measured(heat, Unit::JOULE),
