@@ -78,7 +78,7 @@ pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
         if let Some(below) = &chamber.below {
             row("diameter of the piston rod".into(), millimetres(&below.rod), false);
             if let PressureLaw::Table(rows) = &gas.laws[below.law] {
-                row(text::rows_below(), rows.rows().len().into(), false);
+                row(text::rows_below(), rows.given().into(), false);
             }
         }
         match &gas.laws[chamber.law] {
@@ -86,7 +86,7 @@ pub(super) fn table(engine: &Engine, torque: &EngineTorque) -> Table {
                 row("pressure".into(), "that of the crankcase".into(), true);
             }
             PressureLaw::Table(rows) => {
-                row("rows of the table of pressures".into(), rows.rows().len().into(), false);
+                row("rows of the table of pressures".into(), rows.given().into(), false);
             }
             PressureLaw::Cycle(ideal) => {
                 // After its blowdown a two-stroke has the pressure of the intake, and no other.

@@ -52,6 +52,11 @@ impl PressureTable {
         &self.rows
     }
 
+    /// How many rows were given, a last one that repeats the first counted.
+    pub fn given(&self) -> usize {
+        self.rows.len() + usize::from(self.is_closed)
+    }
+
     /// Steps from each row to the next, the last back to the first.
     fn steps(&self, cycle: Cycle) -> impl Iterator<Item = BigRational> {
         let after = self.rows.iter().skip(1).map(|row| row.0.clone());
