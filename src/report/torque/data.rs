@@ -97,7 +97,9 @@ fn classes(torque: &EngineTorque) -> Table {
         .words("cylinders", |(_, class)| joined(class.cylinders.iter().map(|index| (index + 1).to_string()).collect()));
     let full = BigRational::from_integer(360.into());
     table.exact("fires_{unit}", Unit::DEGREE, |(_, class)| {
-        joined(class.fires.iter().map(|turns| (turns * &full).to_string()).collect())
+        let cycle = BigRational::from_integer(class.gas.revolutions().into());
+        let within = |turns: &BigRational| turns - (turns / &cycle).floor() * &cycle;
+        joined(class.fires.iter().map(|turns| (within(turns) * &full).to_string()).collect())
     });
     table.decimal("peak_pressure_{unit}", Unit::PASCAL, |(_, class)| Some(class.gas.peak_pressure().0));
     table.decimal("mean_pressure_{unit}", Unit::PASCAL, |(_, class)| Some(class.gas.mean_pressure()));
