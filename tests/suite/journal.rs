@@ -148,9 +148,6 @@ fn random(dice: &mut Dice) -> Case {
             position,
         });
     }
-    // The crank angle counts from where throw and axis of the first cylinder meet in the revolution that it fires in.
-    let turns = fires[0] - fires[0].rem_euclid(360);
-    bodies.iter_mut().for_each(|body| body.fires -= turns as f64);
     // Two bearings about all of them, and some between.
     let bearings = (0..=count).filter(|place| *place == 0 || *place == count || dice.below(2) == 0);
     let bearings: Vec<String> = bearings.map(|place| format!("'{}/100'", 10 * place as i64 - 5)).collect();

@@ -3,6 +3,7 @@
 use crankstar::engine::{CycleOrder, Engine};
 use crankstar::journal::cycle_loads;
 use crankstar::torque::{EngineTorque, Peak, PeakMethod, guide_moments, torque};
+use num_complex::Complex;
 
 use crate::gas::{SPARK, engine};
 use crate::moments::torque_of_one;
@@ -234,4 +235,70 @@ fn few_rows_suffice_where_they_go_round_the_cycle() {
     assert!(refused("[0, 7.3]").contains("a table of 1 rows"));
     assert!(refused("[0, 7.3], [360, 7.3]").contains("the rows span 360° of a cycle of 720°"));
     assert!(refused("[0, 7.3], [720, 7.4]").contains("the last row repeats the first"));
+}
+
+/// A pressure that rises and falls within half a degree, and is largest at its kink.
+const NEEDLE: &str = "cycle = 'two-stroke'\nspeed = 1000\nbearings = ['60 mm', '-60 mm']\ninline = { throws = [0] }\n\
+    mechanism = { stroke = '80 mm', rod_length = '140 mm', reciprocating_mass = '0.5 kg' }\n\
+    [gas]\nbore = '80 mm'\nunit = 'bar'\npressure = [[0, 1], [30.05, 1], [30.25, 60], [30.45, 1], [360, 1]]\n";
+
+#[test]
+fn what_the_orders_miss_is_looked_for_at_the_kinks_of_the_pressure_too() {
+    let torque = torque_of(NEEDLE);
+    let series = |theta: f64| -> f64 {
+        torque.orders.iter().map(|one| (one.total() * Complex::cis(one.order.value() * theta)).re).sum()
+    };
+    let loads = cycle_loads(&engine(NEEDLE)).expect("loads");
+    let [bearings, _] = loads.bearings.as_ref().expect("bearings");
+    let [mut off, mut off_bearing] = [0.0_f64; 2];
+    for step in 0..36_000 {
+        let theta = (f64::from(step) / 100.0).to_radians();
+        off = off.max((torque.course.total(theta) - torque.mean - series(theta)).abs());
+        for one in &bearings.bearings {
+            off_bearing = off_bearing.max((loads.course.carried(&one.carried, theta) - one.series.at(theta)).norm());
+        }
+    }
+    assert!(off > 700.0 && off_bearing > 10_000.0, "{off}, {off_bearing}");
+    for (told, scanned) in [(torque.missed, off), (loads.missed(bearings), off_bearing)] {
+        assert!(told >= scanned * (1.0 - 1e-9) && told < scanned * 1.001, "{told} for {scanned}");
+    }
+}
+
+#[test]
+fn the_angle_of_the_largest_pressure_counts_as_the_gas_of_the_file_does() {
+    let layout = "cycle = 'four-stroke'\nspeed = 3000\ninline = { throws = [0] }\n\
+        mechanism = { stroke = '80 mm', rod_length = '140 mm', pin_offset = '20 mm', reciprocating_mass = '0.5 kg' }\n\
+        [gas]\nbore = '80 mm'\ndead_centre = 'piston'\nunit = 'bar'\n\
+        pressure = [[-180, 1], [0, 10], [12, 60], [180, 2], [200, 1], [540, 1]]\n";
+    let path = scratch("peak-angle").join("layout.toml");
+    std::fs::write(&path, layout).expect("a file");
+    let page = printed(&["torque", path.to_str().expect("a path"), "--format", "markdown"]);
+    assert!(page.contains(" 12.00° |") && !page.contains("18.38°"), "{page}");
+    // A last row that repeats the first was given too.
+    assert!(page.contains("| rows of the table of pressures | 6 |"), "{page}");
+}
+
+/// The angles of a file tell in which revolution the first cylinder fires, where they fit the throws as drawn.
+#[test]
+fn firing_angles_are_crank_angles_of_the_cycle() {
+    let twin = |angles: &str, throws: &str| {
+        let (before, gas) = SPARK.split_once("[gas]").expect("gas");
+        let before = before.replace("throws = [0]", &format!("throws = [{throws}]\nspacing = '90 mm'"));
+        let before = before.replace("firing_order = '1'", &format!("firing_angles = [{angles}]"));
+        format!("speed = 3000\n{before}[gas]{gas}")
+    };
+    let fires = |layout: &str| {
+        let path = scratch("firing-angles").join("layout.toml");
+        std::fs::write(&path, layout).expect("a file");
+        let document = printed(&["torque", path.to_str().expect("a path"), "--json"]);
+        let document: serde_json::Value = serde_json::from_str(&document).expect("a document");
+        document["classes"][0]["fires_deg"].as_str().expect("angles").to_owned()
+    };
+    let shifted = twin("540, 0", "180, 0");
+    assert_eq!(fires(&shifted), "540 0");
+    assert_eq!(fires(&twin("180, 360", "180, 0")), "180 360");
+    // Angles that count from another angle than the drawing: the first revolution.
+    assert_eq!(fires(&twin("360, 540", "180, 0")), "180 360");
+    let [late, early] = [&shifted, &twin("180, 360", "180, 0")].map(|text| torque_of(text).highest);
+    assert!(((late.angle - early.angle).rem_euclid(720.0) - 360.0).abs() < 1e-6, "{late:?} {early:?}");
 }

@@ -27,6 +27,8 @@ pub struct Firing {
     pub cycle: Cycle,
     /// One firing a cylinder, angles rising from 0.
     pub shots: Vec<Shot>,
+    /// Whole turns of the crank before the revolution in which the first of them fires: 1 where the angles that are given say so.
+    pub late: BigRational,
 }
 
 /// What is wrong with so many firing angles, and what would be right.
@@ -73,7 +75,7 @@ impl Firing {
             angle = cycle.turns();
         }
         if angle == cycle.turns() {
-            return Ok(Firing { cycle, shots });
+            return Ok(Firing { cycle, shots, late: BigRational::zero() });
         }
         let names: Vec<&str> = order.iter().map(|&index| cylinders[index].name.as_str()).collect();
         let needed = degrees(&angle);
@@ -103,6 +105,10 @@ impl Firing {
         }
         let first = &angles[0];
         let revolutions = cycle.turns();
+        let within_cycle = |angle: &BigRational| angle - (angle / &revolutions).floor() * &revolutions;
+        // Angles that count as the throws are drawn say in which revolution the first cylinder fires too.
+        let late = fired.first().map(|&index| first - cylinders[index].top_dead_centre().turns());
+        let late = late.filter(BigRational::is_integer).map_or_else(BigRational::zero, |late| within_cycle(&late));
         let mut within = Vec::with_capacity(angles.len());
         for (index, angle) in fired.into_iter().zip(angles) {
             let angle = angle - first;
@@ -112,16 +118,16 @@ impl Firing {
                 let message = format!("cylinder {name} cannot fire {}° after the first", degrees(&angle));
                 return Err((message, format!("it reaches top dead centre at {}°, and every 360°", degrees(&right))));
             }
-            within.push((index, &angle - (&angle / &revolutions).floor() * &revolutions));
+            within.push((index, within_cycle(&angle)));
         }
-        Ok(Firing::sorted(within, cycle))
+        Ok(Firing { late, ..Firing::sorted(within, cycle) })
     }
 
     fn sorted(angles: Vec<(usize, BigRational)>, cycle: Cycle) -> Self {
         let shot = |(cylinder, angle)| Shot { cylinder, angle };
         let mut shots: Vec<Shot> = angles.into_iter().map(shot).collect();
         shots.sort_by(|a, b| (&a.angle, a.cylinder).cmp(&(&b.angle, b.cylinder)));
-        Firing { cycle, shots }
+        Firing { cycle, shots, late: BigRational::zero() }
     }
 }
 

@@ -26,7 +26,7 @@ pub struct Class {
 }
 
 /// The crank angle θ at which each piston is at the dead centre at which its cylinder fires, in turns of the cycle, from that of the first
-/// cylinder to fire.
+/// cylinder to fire: in the first revolution, unless the file says which it is.
 fn fires(engine: &Engine) -> Result<Vec<BigRational>, Missing> {
     let cylinders = engine.cylinders();
     let top = |index: usize| cylinders[index].top_dead_centre().turns().clone();
@@ -40,7 +40,7 @@ fn fires(engine: &Engine) -> Result<Vec<BigRational>, Missing> {
             _ => Err(Missing::Firing),
         };
     };
-    let first = firing.shots.first().map_or_else(|| top(0), |shot| top(shot.cylinder));
+    let first = firing.shots.first().map_or_else(|| top(0), |shot| top(shot.cylinder) + &firing.late);
     let mut angles = vec![first.clone(); cylinders.len()];
     for shot in &firing.shots {
         angles[shot.cylinder] = &first + &shot.angle;
