@@ -660,3 +660,57 @@ fn a_shaft_of_the_engine_that_is_not_needed_is_taken_away_and_counts_as_none() {
         assert_eq!(claim::answer(&with.0, &statement, None).status, of_with, "{says}");
     }
 }
+
+/// Written into the file, the height and the offsets that are told leave nothing of the roll moment, however the engine is drawn.
+#[test]
+fn the_place_of_a_pair_is_told_as_the_file_counts_it() {
+    let folder = scratch("pair-place");
+    let [layout, fixed] =
+        ["four.toml", "fixed.toml"].map(|name| folder.join(name).to_str().expect("a path").to_owned());
+    for rotation in ["clockwise", "anticlockwise"] {
+        let block = "block = { mass = 180, inertia = [13, 11, 6.5], centre = [0, 0, 0] }\n";
+        let mounts = "[[mount]]\nplace = [0, '300 mm', 0]\nstiffness = 9e4\n[[mount]]\nplace = [0, '-300 mm', 0]\nstiffness = 9e4\n\
+                      [[mount]]\nplace = ['90 mm', 0, '300 mm']\nstiffness = 9e4\n";
+        let four = FOUR.replace("speed = 6000", "speed = 3000\nfiring_order = '1-3-4-2'");
+        let text = format!("rotation = '{rotation}'\n{block}{four}{GAS}{mounts}");
+        std::fs::write(&layout, &text).expect("a file");
+        let out = call(&["remedy", &layout, "--format", "text", "--orders", "2", "--write", &fixed]);
+        assert!(out.status.success(), "{}", String::from_utf8_lossy(&out.stderr));
+        let told = String::from_utf8(out.stdout).expect("a text").split_whitespace().collect::<Vec<_>>().join(" ");
+        let after = |words: &str| {
+            let (_, rest) = told.split_once(words).unwrap_or_else(|| panic!("{words} is not in {told}"));
+            rest.split(' ').next().expect("a number").replace('−', "-")
+        };
+        let place = [
+            after("moment of its order where the shaft that turns with the crank lies "),
+            after("layout file, add up to "),
+        ];
+        let roll = |axis: String| {
+            let text = std::fs::read_to_string(&fixed).expect("it is written");
+            let text = text.replace("sense = \"with\"", &format!("sense = \"with\"\n{axis}"));
+            let text = text.replace("sense = \"against\"", "sense = \"against\"\nheight = 0");
+            let mounted = crankstar::report::MountsStudy::new(&read(&text), &crankstar::report::MountsAsked::default());
+            let mounted = mounted.unwrap_or_else(|why| panic!("{why}"));
+            let second = mounted.orders.iter().find(|one| one.excitation.order.halves() == 4).expect("order 2");
+            second.load[1][2].norm()
+        };
+        let [level, placed] = [
+            roll("height = 0".to_owned()),
+            roll(format!("height = \"{} mm\"\noffset = \"{} mm\"", place[0], place[1])),
+        ];
+        assert!(level > 10.0 && placed < 0.01 * level, "{placed} of {level} with {place:?}, {rotation}");
+    }
+}
+
+/// One symbol would stand for the coefficients of two rods.
+#[test]
+fn multiples_of_different_rods_are_those_of_m_r() {
+    let layout = "speed = 4321\nvee = { bank_angle = 75.5, throws = [33], bank_offset = '12 mm', spacing = '90 mm' }\n[mechanism]\n\
+        stroke = '81.5 mm'\nrod_length = ['140 mm', '151 mm']\nreciprocating_mass = ['0.5 kg', '0.61234 kg']\n";
+    let path = scratch("two-rods").join("layout.toml");
+    std::fs::write(&path, layout).expect("a file");
+    let out = call(&["remedy", path.to_str().expect("a path"), "--format", "text"]);
+    let told = String::from_utf8(out.stdout).expect("a text");
+    assert!(told.contains("multiples"), "{told}");
+    assert!(!told.contains("|c₂|"), "{told}");
+}

@@ -4,7 +4,7 @@ use super::super::engine_page::assumed_ratio;
 use super::super::residual;
 use super::super::table::position_heading;
 use super::super::typeset::short;
-use crate::engine::{Engine, LengthUnit, Rod};
+use crate::engine::{Engine, LengthUnit, Rod, Rods};
 use crate::numbers;
 use crate::order::{Coefficients, Factor};
 use crate::page::number::{Amount, Bearing, given, given_with};
@@ -112,12 +112,12 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
             let times = |letter: char| {
                 phrase!("{} {}", amount.clone(), Text::formula(format!("m\\,r\\,\\lvert {letter}_{{{order}}}\\rvert")))
             };
+            // One letter would stand for the coefficients of several rods.
+            let differ = matches!(remedy.subject.engine().all_rods(), Rods::Differ) && own.letter().is_some();
             match own {
                 Factor::Quadrature(_) => phrase!("{} $m\\,r\\,\\lvert \\mathrm{Im}\\, c_1 \\rvert$", amount),
-                Factor::Corrected(..) => match weight.decimals(&remedy.subject) {
-                    Some([size, _]) => phrase!("{} $m\\,r$", Number::Decimal(size)),
-                    None => depends(weight),
-                },
+                Factor::Corrected(..) => in_decimals(remedy, weight),
+                _ if differ => in_decimals(remedy, weight),
                 other => match other.letter() {
                     Some(letter) => times(letter),
                     None => phrase!("{} $m\\,r$", amount),
@@ -129,9 +129,16 @@ fn size(remedy: &Remedy, weight: &Weight) -> Text {
     }
 }
 
+fn in_decimals(remedy: &Remedy, weight: &Weight) -> Text {
+    match weight.decimals(&remedy.subject) {
+        Some([size, _]) => phrase!("{} $m\\,r$", Number::Decimal(size)),
+        None => depends(weight),
+    }
+}
+
 /// How large each `|c_k|` is that multiplies m r, so that the sizes compare with those of the other pages; none where kilograms are known, or none occurs.
 pub(super) fn coefficients(remedy: &Remedy) -> Option<Text> {
-    if remedy.subject.scale().is_some() {
+    if remedy.subject.scale().is_some() || matches!(remedy.subject.engine().all_rods(), Rods::Differ) {
         return None;
     }
     let weights = remedy.shafts.iter().flat_map(|shaft| &shaft.weights);
