@@ -580,3 +580,14 @@ fn an_order_that_meets_a_mode_without_damping_has_no_largest_value() {
         assert!(at.velocity.is_none() && at.force.is_none(), "{at:?}");
     }
 }
+
+#[test]
+fn every_speed_without_a_bound_is_told() {
+    let text = random(&mut Dice::new(53)).replace("damping = [", "# damping = [");
+    let asked = MountsAsked { from: Some(60.0), to: Some(6000.0), ..MountsAsked::default() };
+    let study = MountsStudy::new(&read(&text), &asked).unwrap_or_else(|why| panic!("{why}"));
+    let page = crate::support::pages::text(&crankstar::report::Question::page(&study), crate::support::pages::DOLLARS);
+    let endless = study.range().iter().filter(|at| at.order == 0 && at.velocity.is_none()).count();
+    let row = page.lines().find(|line| line.starts_with("| ") && line.contains("no bound")).expect("a row");
+    assert!(endless > 1 && row.matches("rpm").count() == 2 * endless, "{endless} in {row}");
+}

@@ -139,13 +139,18 @@ pub(super) fn rms(study: &MountsStudy) -> Table {
 pub(super) fn range(study: &MountsStudy) -> Table {
     let worst = |place: usize, of: fn(&super::AtSpeed) -> Option<f64>| {
         let size = |at: &super::AtSpeed| of(at).unwrap_or(f64::INFINITY);
-        let at = study.range().iter().filter(|at| at.order == place);
-        at.map(|at| (size(at), at.rpm)).max_by(|one, other| one.0.total_cmp(&other.0))
+        let at = || study.range().iter().filter(|at| at.order == place).map(|at| (size(at), at.rpm));
+        let most = at().max_by(|one, other| one.0.total_cmp(&other.0))?;
+        // Without damping there is no bound at several speeds, none of which is the largest.
+        let endless: Vec<f64> = at().filter(|(size, _)| size.is_infinite()).map(|(_, speed)| speed).collect();
+        Some((most.0, if endless.is_empty() { vec![most.1] } else { endless }))
     };
-    let told = |found: Option<(f64, f64)>, scale: f64, unit: Unit| match found {
+    let told = |found: Option<(f64, Vec<f64>)>, scale: f64, unit: Unit| match found {
         None => ["–".into(), "–".into()],
-        Some((f64::INFINITY, speed)) => ["no bound".into(), rpm(speed)],
-        Some((value, speed)) => [Text::measured(value * scale, unit), rpm(speed)],
+        Some((value, speeds)) => {
+            let size = if value.is_infinite() { "no bound".into() } else { Text::measured(value * scale, unit) };
+            [size, Text::joined(speeds.into_iter().map(rpm), ", ")]
+        }
     };
     let rows = study.moving().map(|(place, one)| {
         let velocity = told(worst(place, |at| at.velocity), 1e3, Unit::MILLIMETRE_PER_SECOND);
