@@ -4,9 +4,8 @@
 //! damper; ζ = c / (2 J_d ω₁), and f is the frequency of the ring alone over ω₁. With the frequency of the ring in place of ω₁ the
 //! formula of a tuned damper is √(3μ / 8(1+μ)): both are in use. Theory, section 13.
 
-use super::{Disc, Link, Mode, Train, modes};
+use super::{Disc, Link, Mode, Train, highest, modes};
 use crate::engine::{self, DamperValue, Torsion};
-use crate::motion::top_between;
 use crate::numbers::float;
 
 /// The values of a damper.
@@ -25,6 +24,8 @@ pub struct DamperInMode {
     pub mass_ratio: f64,
     /// Angular frequency of the mode.
     pub omega: f64,
+    /// The same with the ring held fast to its disc.
+    pub held: f64,
     /// The best setting by the formula.
     pub best: DamperSetting,
     /// Its peak over the static deflection: exact of a viscous damper, at the fixed points of a tuned one, which is a little less.
@@ -47,7 +48,10 @@ pub fn in_first_mode(bare: &Train, damper: &engine::Damper) -> Option<DamperInMo
     let mass_ratio = ring * first.shape[damper.disc].powi(2) / bare.inertia_of(&first.shape);
     let (zeta, f, peak) = formula(mass_ratio, damper.stiffness.is_some());
     let best = DamperSetting { stiffness: ring * (f * first.omega).powi(2), damping: 2.0 * ring * first.omega * zeta };
-    Some(DamperInMode { mass_ratio, omega: first.omega, best, peak })
+    let mut held = bare.clone();
+    held.discs[damper.disc].inertia += ring;
+    let held = modes(&held.joined()).first().map_or(first.omega, |mode| mode.omega);
+    Some(DamperInMode { mass_ratio, omega: first.omega, held, best, peak })
 }
 
 /// The values of each damper, the best ones put in.
@@ -66,10 +70,14 @@ fn settings(bare: &Train, dampers: &[engine::Damper]) -> Vec<DamperSetting> {
     dampers.iter().map(of_one).collect()
 }
 
-/// By so much the search goes beyond the formula, up and down.
-const FACTOR: f64 = 2.0;
-/// The same of the frequency of the ring.
-const TUNING: f64 = 1.25;
+/// By so much the search goes beyond the damping of the formula, up and down: what a page says of it.
+const DAMPING: f64 = 100.0;
+/// The same of the stiffness.
+const STIFFNESS: f64 = 10.0;
+/// Points of the range of dampings, evenly on a logarithmic scale, between which the best is looked for.
+const DAMPINGS: usize = 16;
+/// The same of the stiffnesses.
+const STIFFNESSES: usize = 12;
 
 /// The setting of the damper on a link, its start at the formula's, at which a peak of the train is least; with that peak.
 pub fn search(train: &Train, link: usize, start: DamperSetting, peak: &dyn Fn(&Train) -> f64) -> (DamperSetting, f64) {
@@ -78,16 +86,20 @@ pub fn search(train: &Train, link: usize, start: DamperSetting, peak: &dyn Fn(&T
         (train.links[link].stiffness, train.links[link].damping) = (stiffness, damping);
         peak(&train)
     };
+    // At a node of the mode the formula has no damping, and no ring damps it.
+    if start.damping == 0.0 {
+        return (start, at(start.stiffness, start.damping));
+    }
     let best_damping = |stiffness: f64| {
-        let (low, high) = ((start.damping / FACTOR).ln(), (start.damping * FACTOR).ln());
-        let damping = top_between(low, high, |value| -at(stiffness, value.exp())).exp();
-        (damping, at(stiffness, damping))
+        let [low, high] = [start.damping / DAMPING, start.damping * DAMPING].map(f64::ln);
+        let (damping, least) = highest(low, high, DAMPINGS, &|value| -at(stiffness, value.exp()));
+        (damping.exp(), -least)
     };
     let stiffness = match start.stiffness {
         0.0 => 0.0,
         tuned => {
-            let (low, high) = ((tuned / TUNING).ln(), (tuned * TUNING).ln());
-            top_between(low, high, |value| -best_damping(value.exp()).1).exp()
+            let [low, high] = [tuned / STIFFNESS, tuned * STIFFNESS].map(f64::ln);
+            highest(low, high, STIFFNESSES, &|value| -best_damping(value.exp()).1).0.exp()
         }
     };
     let (damping, peak) = best_damping(stiffness);

@@ -26,6 +26,8 @@ const BESIDE: [f64; 9] = [-0.04, -0.02, -0.01, -0.005, 0.0, 0.005, 0.01, 0.02, 0
 const BEGINS: f64 = 0.1;
 /// Points of a frequency range between which a peak is looked for.
 const POINTS: usize = 60;
+/// The range in which a damper is looked for goes beyond the modes that it moves by this factor.
+const BEYOND: f64 = 1.1;
 /// So many golden sections find the largest torque of all orders.
 const SECTIONS: u32 = 20;
 /// A peak below this part of the highest computed value is not refined.
@@ -302,9 +304,21 @@ impl TorsionStudy {
         let found = self.most_work(bare).map(|order| {
             let middle = order.rpm(in_mode.omega / TAU);
             let above = torsion::modes(bare).get(1).map_or(1.5, |second| 0.5 * (1.0 + second.omega / in_mode.omega));
+            // The damper moves the mode, and a ring on a spring makes two of it: both are in the range.
+            let near = |train: &Train| {
+                let modes = torsion::modes(train);
+                let part = |at: usize| modes.get(at).map_or(1.0, |mode| mode.omega / in_mode.omega);
+                let lowest = part(0).min(in_mode.held / in_mode.omega);
+                let is_sprung = train.links.get(link).is_some_and(|spring| spring.stiffness > 0.0);
+                let upper = if is_sprung { BEYOND * part(1) } else { 1.0 };
+                [0.5_f64.min(lowest / BEYOND), above.min(1.5).max(upper)]
+            };
             let peak = |train: &Train| {
                 let torque = |speed: f64| self.largest_torque(train, order, speed).1;
-                highest(0.5 * middle, above.min(1.5) * middle, POINTS, &torque).1
+                let [low, high] = near(train);
+                // A wider range has as many more points.
+                let points = (POINTS as f64 * (high - low) / (above.min(1.5) - 0.5)).round() as usize;
+                highest(low * middle, high * middle, points, &torque).1
             };
             let (best, least) = torsion::search(&self.train, link, in_mode.best, &peak);
             FoundDamper { order, best, peaks: [least, peak(&self.train), peak(bare)] }
