@@ -301,7 +301,7 @@ impl TorsionStudy {
         let in_mode = torsion::in_first_mode(bare, damper)?;
         let link = self.train.shafts + index;
         let Link { stiffness, damping, .. } = self.train.links[link];
-        let found = self.most_work(bare).map(|order| {
+        let found = self.most_work(bare).map(|(order, is_bounded)| {
             let middle = order.rpm(in_mode.omega / TAU);
             let above = torsion::modes(bare).get(1).map_or(1.5, |second| 0.5 * (1.0 + second.omega / in_mode.omega));
             // The damper moves the mode, and a ring on a spring makes two of it: both are in the range.
@@ -321,13 +321,14 @@ impl TorsionStudy {
                 highest(low * middle, high * middle, points, &torque).1
             };
             let (best, least) = torsion::search(&self.train, link, in_mode.best, &peak);
-            FoundDamper { order, best, peaks: [least, peak(&self.train), peak(bare)] }
+            FoundDamper { order, best, peaks: [least, peak(&self.train)], without: is_bounded.then(|| peak(bare)) }
         });
         Some(DamperStudy { in_mode, setting: DamperSetting { stiffness, damping }, found })
     }
 
-    /// The order of the torque with the most work in the first mode of the train without dampers, in the range where there is one.
-    fn most_work(&self, bare: &Train) -> Option<CycleOrder> {
+    /// The order of the torque with the most work in the first mode of the train without dampers, in the range where there is one, and
+    /// whether something else damps that mode.
+    fn most_work(&self, bare: &Train) -> Option<(CycleOrder, bool)> {
         let first = torsion::modes(bare).into_iter().next()?;
         let excited = self.damped()?;
         let range = self.range().unwrap_or([0.0, f64::INFINITY]);
@@ -335,9 +336,10 @@ impl TorsionStudy {
             let rpm = order.rpm(first.hertz());
             let is_met = (range[0]..=range[1]).contains(&rpm) && !excited.is_still(order);
             let torques = excited.torques(order, rpm).filter(|_| is_met)?;
-            Some((order, resonance(bare, &first, &torques).equilibrium))
+            Some((order, resonance(bare, &first, &torques)))
         };
         let works = excited.orders().filter_map(work);
-        works.max_by(|one, other| one.1.total_cmp(&other.1)).map(|(order, _)| order)
+        let most = works.max_by(|one, other| one.1.equilibrium.total_cmp(&other.1.equilibrium));
+        most.map(|(order, resonance)| (order, resonance.amplitude.is_finite()))
     }
 }

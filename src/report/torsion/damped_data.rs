@@ -130,8 +130,9 @@ pub(super) fn dampers(study: &TorsionStudy) -> Option<Table> {
     table.exact("order", Unit::NONE, |(_, one)| one.found.as_ref().map(|found| found.order.exact().to_string()));
     table.decimal("best_stiffness_{unit}", stiff, |(_, one)| one.found.as_ref().map(|found| found.best.stiffness));
     table.decimal("best_damping_{unit}", damped, |(_, one)| one.found.as_ref().map(|found| found.best.damping));
-    for (name, at) in [("best_torque_{unit}", 0), ("torque_{unit}", 1), ("torque_without_{unit}", 2)] {
+    for (name, at) in [("best_torque_{unit}", 0), ("torque_{unit}", 1)] {
         table.decimal(name, Unit::NEWTON_METRE, |(_, one)| one.found.as_ref().map(|found| found.peaks[at]));
     }
+    table.decimal("torque_without_{unit}", Unit::NEWTON_METRE, |(_, one)| one.found.as_ref()?.without);
     table.done_if_any()
 }

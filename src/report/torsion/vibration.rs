@@ -150,8 +150,10 @@ pub struct FoundDamper {
     pub order: CycleOrder,
     /// The setting.
     pub best: DamperSetting,
-    /// The largest torque in a shaft by this order near the first mode: with the best setting, with that of the layout, without the damper.
-    pub peaks: [f64; 3],
+    /// The largest torque in a shaft by this order near the first mode: with the best setting, with that of the layout.
+    pub peaks: [f64; 2],
+    /// The same without the damper; none where nothing else damps the mode, and it has no bound.
+    pub without: Option<f64>,
 }
 
 /// Where vibration becomes heat: each by its number from 0.

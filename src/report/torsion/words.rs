@@ -145,15 +145,13 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
     }
     for (damper, given) in study.dampers().iter().zip(&study.torsion().dampers) {
         if let Some(found) = &damper.found {
-            lines.push(text::damper(
-                given.disc + 1,
-                damping(damper.setting.damping),
-                damping(damper.in_mode.best.damping),
-                damping(found.best.damping),
-                found.order.to_string(),
-                torque(found.peaks[1]),
-                torque(found.peaks[2]),
-            ));
+            let settings = [damper.setting, damper.in_mode.best, found.best];
+            let [own, by_formula, by_search] = settings.map(|setting| damping(setting.damping));
+            let (disc, order, with) = (given.disc + 1, found.order.to_string(), torque(found.peaks[1]));
+            lines.push(match found.without {
+                Some(without) => text::damper(disc, own, by_formula, by_search, order, with, torque(without)),
+                None => text::damper_alone(disc, own, by_formula, by_search, order, with),
+            });
         }
     }
     lines
