@@ -65,12 +65,23 @@ pub fn forced_twist(train: &Train, excitation: &Excitation) -> Vec<Complex<f64>>
         let known: Complex<f64> = known.map(|(column, value)| value * twist[*column]).sum();
         twist[node] = (right[node] - known) / entry(&rows[node], node);
     }
-    train.of_discs(&twist)
+    let largest = twist.iter().map(|one| one.norm()).fold(0.0, f64::max);
+    train.of_discs(&twist.into_iter().map(|one| beyond_rounding(one, largest)).collect::<Vec<_>>())
 }
 
-/// The torque in each link, `(k(1+iη) + iΩc)(Θ_i − Θ_j)`.
+/// What is smaller than this part of what it is the difference of is its rounding.
+const ROUNDING: f64 = 1e-14;
+
+fn beyond_rounding(value: Complex<f64>, beside: f64) -> Complex<f64> {
+    if value.norm() < ROUNDING * beside { Complex::default() } else { value }
+}
+
+/// The torque in each link, `(k(1+iη) + iΩc)(Θ_i − Θ_j)`; 0 where its ends are turned alike but for rounding.
 pub fn shaft_torques(train: &Train, omega: f64, twists: &[Complex<f64>]) -> Vec<Complex<f64>> {
-    let of_link = |link: &super::Link| (twists[link.ends[0]] - twists[link.ends[1]]) * link.complex_stiffness(omega);
+    let of_link = |link: &super::Link| {
+        let [one, other] = link.ends.map(|disc| twists[disc]);
+        beyond_rounding(one - other, one.norm().max(other.norm())) * link.complex_stiffness(omega)
+    };
     train.links.iter().map(of_link).collect()
 }
 

@@ -156,8 +156,8 @@ impl TorsionStudy {
         LargestTorque { order, rpm, shaft, torque }
     }
 
-    /// The highest peak of the torque of one order inside the range.
-    pub fn strongest_resonance(&self) -> Option<LargestTorque> {
+    /// The highest peak of the torque of one order inside the range: at a resonance, or a hump between others.
+    pub fn strongest_peak(&self) -> Option<LargestTorque> {
         let (excited, speeds) = (self.damped()?, self.speeds());
         let torque = |order: CycleOrder, speed: f64| self.largest_torque(&self.train, order, speed).1;
         let peaks_of = |order: CycleOrder| {
@@ -172,7 +172,7 @@ impl TorsionStudy {
             let [low, high] = beside(&speeds, place);
             self.largest_at(order, golden_section(low, high, SECTIONS, |speed| torque(order, speed)))
         });
-        refined.max_by(|one, other| one.torque.total_cmp(&other.torque))
+        refined.filter(|one| one.torque > 0.0).max_by(|one, other| one.torque.total_cmp(&other.torque))
     }
 
     /// Where the vibration at a speed becomes heat, with the power there in watts.

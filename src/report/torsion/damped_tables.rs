@@ -31,7 +31,9 @@ pub(super) fn shafts(study: &TorsionStudy, vibration: &Vibration) -> Table {
             stress(study.stress(*index, *own))
         })
         .column_if(has_range, phrase!("Largest torque ({})", Unit::NEWTON_METRE), |(.., most)| torque(most.0))
-        .column_if(has_range, "At (rpm)", |(.., most)| Number::Decimal(most.1))
+        .column_if(has_range, "At (rpm)", |(.., most)| {
+            Text::or_dash(Some(Number::Decimal(most.1)).filter(|_| most.0 > 0.0))
+        })
         .column_if(has_range && has_stress, phrase!("Its stress ({})", Unit::MEGAPASCAL), |(index, _, most)| {
             stress(study.stress(*index, most.0))
         })

@@ -118,6 +118,8 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
         let swings: Text = Piece::Quantity(vibration.twist(0).to_degrees(), Unit::DEGREE).into();
         let where_it_is = shaft(study, most);
         lines.push(match study.stress(most, value) {
+            // The train turns as a rigid body, as far as decimals tell.
+            _ if value == 0.0 => text::rigid(rpm(vibration.speed), swings),
             None => text::twist(rpm(vibration.speed), swings, torque(value), where_it_is),
             Some(stress) => text::stressed_twist(
                 rpm(vibration.speed),
@@ -129,9 +131,9 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
         });
     }
     lines.extend(gears::answer(study));
-    if let Some(most) = study.strongest_resonance() {
+    if let Some(most) = study.strongest_peak() {
         let (order, where_it_is) = (most.order.to_string(), shaft(study, most.shaft));
-        lines.push(text::strongest_resonance(order, rpm(most.rpm), torque(most.torque), where_it_is));
+        lines.push(text::strongest_peak(order, rpm(most.rpm), torque(most.torque), where_it_is));
     }
     for excess in study.excesses() {
         let [from, to] = range(excess.speeds);
