@@ -17,7 +17,7 @@ pub struct Critical {
     /// The speed in revolutions a minute.
     pub rpm: f64,
     /// `Σ Δ_j r_j e^{−iκφ_j}`: the work of a torque of this order on the mode goes with its length. φ_j counts from where the file's gas does. Of two pistons in a cylinder both count when it
-    /// fires, as if neither led the other.
+    /// fires, as if neither led the other. 0 where it is no longer than rounding.
     pub star: Complex<f64>,
     /// Whether the star is proved to be 0: cylinders that are turned as far in every mode have a star of 0 among themselves.
     pub vanishes: bool,
@@ -35,6 +35,9 @@ pub struct CriticalSpeeds {
     /// The orders, rising, so that the speeds fall.
     pub orders: Vec<Critical>,
 }
+
+/// A star shorter than this part of the longest possible is rounding.
+const ROUNDING: f64 = 1e-12;
 
 /// The critical speeds of each mode, for these orders.
 ///
@@ -79,12 +82,13 @@ pub fn critical_speeds(
             };
             firing.shots.iter().map(vector).sum()
         };
+        let longest = deflections.iter().enumerate().map(|(index, delta)| delta.abs() * radius(index)).sum();
         let critical = |(&order, &vanishes): (&CycleOrder, &bool)| {
             let star = if vanishes { Complex::default() } else { star(order) };
+            let star = if star.norm() <= ROUNDING * longest { Complex::default() } else { star };
             Critical { order, rpm: order.rpm(mode.hertz()), star, vanishes }
         };
         let orders = orders.iter().zip(&zero).map(critical).collect();
-        let longest = deflections.iter().enumerate().map(|(index, delta)| delta.abs() * radius(index)).sum();
         CriticalSpeeds { orders, longest, deflections, mode }
     };
     Ok(modes(&train).into_iter().map(of_mode).collect())

@@ -37,6 +37,8 @@ impl Node {
 
 /// A first disc that moves less than this part of the largest deflection is taken for a node.
 const NODE: f64 = 1e-9;
+/// A disc that moves less than this part of those on both sides of it is a node but for rounding.
+const ROUNDING: f64 = 1e-13;
 
 impl Mode {
     /// Frequency in oscillations a second.
@@ -126,12 +128,32 @@ fn shape(train: &Train, square: f64) -> Vec<f64> {
             next.push((other, node));
         }
     }
-    let shape = train.of_discs(&shape);
+    let shape = at_rest(train, train.of_discs(&shape));
     let largest =
         shape.iter().copied().fold(0.0_f64, |most, value| if value.abs() > most.abs() { value } else { most });
     let first = shape.first().copied().unwrap_or(1.0);
     let unit = if first.abs() > NODE * largest.abs() { first } else { largest };
     shape.into_iter().map(|value| value / unit).collect()
+}
+
+/// The discs that shafts and springs join to a disc.
+fn around(train: &Train, disc: usize) -> impl Iterator<Item = usize> {
+    train.links.iter().filter_map(move |link| match link.ends {
+        [one, other] if one == disc => Some(other),
+        [one, other] if other == disc => Some(one),
+        _ => None,
+    })
+}
+
+/// The deflections of the discs, 0 where only rounding moves one between others that swing against each other.
+fn at_rest(train: &Train, mut shape: Vec<f64>) -> Vec<f64> {
+    for disc in 0..shape.len() {
+        let far = |sign: f64| around(train, disc).map(|other| sign * shape[other]).fold(0.0, f64::max);
+        if shape[disc].abs() < ROUNDING * far(1.0).min(far(-1.0)) {
+            shape[disc] = 0.0;
+        }
+    }
+    shape
 }
 
 /// In each shaft whose ends swing against each other there is one, and at each disc at rest between such discs.
@@ -141,14 +163,7 @@ fn nodes(train: &Train, shape: &[f64]) -> Vec<Node> {
         (one * other < 0.0).then(|| Node::Shaft(index, one / (one - other)))
     };
     let at_disc = |disc: usize| {
-        let swings = |sign: f64| {
-            let far = |link: &super::Link| match link.ends {
-                [one, other] if one == disc => Some(other),
-                [one, other] if other == disc => Some(one),
-                _ => None,
-            };
-            train.links.iter().filter_map(far).any(|other| shape[other] * sign > 0.0)
-        };
+        let swings = |sign: f64| around(train, disc).any(|other| shape[other] * sign > 0.0);
         (shape[disc] == 0.0 && swings(1.0) && swings(-1.0)).then_some(Node::Disc(disc))
     };
     let springs = train.links.iter().enumerate().filter(|(_, link)| link.stiffness > 0.0);

@@ -133,6 +133,7 @@ impl TorsionStudy {
         let at_peak = peak.map(|(speed, _)| speed).filter(|speed| is_in_range(*speed));
         let at = at_peak.or_else(|| is_in_range(rpm).then_some(rpm))?;
         let (shaft, torque) = self.largest_torque(&self.train, order, rpm);
+        let mode = &self.modes[index].mode;
         let exceeding = is_in_range(rpm).then(|| self.exceeding(rpm)).flatten();
         let rated = self.torsion().rated_speed.as_ref().map(float).filter(|_| exceeding.is_some());
         let may_be_barred = |rated: &f64| rpm < torsion::UNBARRED * rated;
@@ -140,7 +141,9 @@ impl TorsionStudy {
             mode: index,
             order,
             rpm,
-            energy: resonance(&self.train, &self.modes[index].mode, &self.excited()?.torques(order, rpm)?),
+            energy: resonance(&self.train, mode, &self.excited()?.torques(order, rpm)?),
+            // It has deflection 1 where it is none.
+            first_is_node: mode.shape.first().is_none_or(|first| first.abs() < 0.5),
             first: self.twists(&self.train, order, rpm)?.first()?.norm(),
             shaft,
             torque,

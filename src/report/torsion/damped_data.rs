@@ -38,8 +38,10 @@ pub(super) fn resonances(study: &TorsionStudy) -> Option<Table> {
     table.exact("order", Unit::NONE, |one| Some(one.order.exact().to_string()));
     table.decimal("speed_{unit}", Unit::PER_MINUTE, |one| Some(one.rpm));
     table.decimal("first_disc_zero_to_peak_{unit}", Unit::DEGREE, |one| Some(one.first.to_degrees()));
-    table.decimal("energy_zero_to_peak_{unit}", Unit::DEGREE, |one| Some(one.energy.amplitude.to_degrees()));
-    table.decimal("equilibrium_{unit}", Unit::DEGREE, |one| Some(one.energy.equilibrium.to_degrees()));
+    table.decimal("energy_zero_to_peak_{unit}", Unit::DEGREE, |one| {
+        Some(one.at_first(one.energy.amplitude).to_degrees())
+    });
+    table.decimal("equilibrium_{unit}", Unit::DEGREE, |one| Some(one.at_first(one.energy.equilibrium).to_degrees()));
     table.decimal("magnifier", Unit::NONE, |one| Some(one.energy.magnifier()));
     table.whole("shaft", |one| one.shaft + 1);
     table.decimal("torque_zero_to_peak_{unit}", Unit::NEWTON_METRE, |one| Some(one.torque));

@@ -78,7 +78,7 @@ pub(super) fn heat(study: &TorsionStudy, vibration: &Vibration) -> Table {
 pub(super) fn resonances(study: &TorsionStudy) -> Table {
     let rows = study.resonances();
     let table = first_columns(study, rows.iter())
-        .column("By energy (°)", |one| Number::Decimal(one.energy.amplitude.to_degrees()));
+        .column("By energy (°)", |one| Number::Decimal(one.at_first(one.energy.amplitude).to_degrees()));
     let table = with_peak(table);
     if rows.iter().all(|one| study.cure(one).is_none()) {
         return table.done();

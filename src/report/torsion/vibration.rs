@@ -92,8 +92,10 @@ pub struct ResonanceOrder {
     pub order: CycleOrder,
     /// The critical speed in revolutions a minute.
     pub rpm: f64,
-    /// By the energy method, for the first disc.
+    /// By the energy method.
     pub energy: Resonance,
+    /// Whether the first disc is a node of the mode.
+    pub first_is_node: bool,
     /// Amplitude of the first disc there, with damping, in radians.
     pub first: f64,
     /// The shaft with the largest torque there, from 0.
@@ -108,6 +110,13 @@ pub struct ResonanceOrder {
     pub barred: Option<Barred>,
     /// Whether the stress is above the limit where no range may be barred, from 80 % of the rated speed on.
     pub is_unbarred: bool,
+}
+
+impl ResonanceOrder {
+    /// A deflection of the mode by the energy method, at the first disc.
+    pub(super) fn at_first(&self, deflection: f64) -> f64 {
+        if self.first_is_node { 0.0 } else { deflection }
+    }
 }
 
 /// The largest torque of an order, with its place.
