@@ -530,3 +530,20 @@ fn lines_of_verify_are_of_at_most_80_columns() {
     let told = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(told.contains("not covered") && told.lines().all(|line| line.chars().count() <= 80), "{told}");
 }
+
+#[test]
+fn effects_are_included_where_their_numbers_stand_on_the_page() {
+    let gas = "speed = 3000\ncycle = 'four-stroke'\neffects = ['gas']\nbearings = [1, -1]\n[mechanism]\nstroke = '90 mm'\nrod_length = '150 mm'\n\
+        reciprocating_mass = '0.5 kg'\n[gas]\nbore = '80 mm'\nprocess = 'spark-ignition'\ncompression_ratio = 10\nmean_pressure = '10 bar'\n\
+        [inline]\nthrows = [0, 180, 180, 0]\nspacing = '90 mm'\n";
+    let silent = said("report", gas, &["--format", "markdown"]);
+    assert!(silent.contains("No torque: "), "{silent}");
+    assert!(silent.contains("| gas | no | asked for; its section says what is missing |"), "{silent}");
+    let fired = format!("firing_order = '1-3-4-2'\n{gas}");
+    let told = said("report", &fired, &["--format", "markdown"]);
+    assert!(told.contains("| gas | yes | asked for, in a section of its own |"), "{told}");
+    assert!(told.contains("| main bearings | yes |") && told.contains("## Main bearings"), "{told}");
+    let loads = said("loads", &fired, &["--format", "markdown"]);
+    let effects = loads.split("Effects included").nth(1).expect("a table");
+    assert!(!effects.contains("| gas |") && !effects.contains("| main bearings |"), "{effects}");
+}

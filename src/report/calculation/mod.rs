@@ -60,7 +60,7 @@ pub(super) fn outcome(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
     blocks.extend(ellipses(engine, loads));
     blocks.extend(drawn(engine, loads));
     blocks.push(heading(2, "Effects included"));
-    blocks.extend(effects(engine, loads));
+    blocks.extend(effects(engine, loads, words::Sections::OfReport));
     blocks.extend(roll::turning(engine, loads));
     blocks.extend(main_bearings(engine, loads));
     blocks
@@ -88,8 +88,8 @@ fn vectors(engine: &Engine, loads: &Loads) -> Vec<Block> {
 }
 
 /// What is in the scene, and what a share is.
-fn effects(engine: &Engine, loads: &Loads) -> Vec<Block> {
-    vec![tables::effects(engine, loads).into(), Block::Note(text::shares())]
+fn effects(engine: &Engine, loads: &Loads, page: words::Sections) -> Vec<Block> {
+    vec![tables::effects(engine, loads, page).into(), Block::Note(text::shares())]
 }
 
 fn main_bearings(engine: &Engine, loads: &Loads) -> Vec<Block> {

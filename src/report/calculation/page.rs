@@ -25,7 +25,7 @@ pub fn loads_page(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -
         ellipses: ellipses(engine, loads).into(),
         vectors: vectors(engine, loads).into(),
         turning: roll::turning(engine, loads).into(),
-        effects: effects(engine, loads).into(),
+        effects: effects(engine, loads, words::Sections::None).into(),
         assumptions: words::assumptions(engine, loads).into(),
         limits: words::limits(engine, loads).into(),
         conventions: conventions(engine, loads).into(),

@@ -11,7 +11,7 @@ use crate::proof::{Axial, Planar, Quantity};
 use crate::report::texts::loads as text;
 
 /// What is in the scene and what is not, and what each group of masses adds to the peaks.
-pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
+pub(super) fn effects(engine: &Engine, loads: &Loads, page: words::Sections) -> Table {
     let [force, moment] = Planar::BOTH.map(|of| (of, waveform(loads, of).peak(), Unit::as_read(engine, loads, of)));
     let share = |group: Option<MassGroup>, (of, peak, unit): &(Planar, Peak, Unit)| -> Text {
         let Some(loads) = loads.groups.iter().find(|loads| Some(loads.group) == group) else { return "–".into() };
@@ -21,7 +21,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Table {
             false => phrase!("{} {}", Text::measured(share(waveform, peak) * unit.factor, unit.unit), unit.label()),
         }
     };
-    Table::of(words::effects(engine, loads))
+    Table::of(words::effects(engine, loads, page))
         .column("Effect", |row| row.name)
         .column("Included", |row| if row.inside { "yes" } else { "no" })
         .column("Why", |row| row.why.clone())

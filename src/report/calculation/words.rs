@@ -2,6 +2,7 @@
 
 use super::super::mechanism_words;
 use super::super::residual::{group_words, orders_in_words};
+use super::super::torsion::TorsionStudy;
 use super::inputs;
 use crate::engine::{Engine, Measure};
 use crate::loads::{Arm, Loads};
@@ -9,7 +10,7 @@ use crate::order::MassGroup;
 use crate::page::{Table, Text};
 use crate::proof::Quantity;
 use crate::report::texts::loads as text;
-use crate::verdict;
+use crate::{torque, verdict};
 
 /// What every number rests on.
 pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
@@ -105,7 +106,7 @@ pub(super) struct EffectRow {
 }
 
 /// What is in the scene and what is not, and why.
-pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
+pub(super) fn effects(engine: &Engine, loads: &Loads, page: Sections) -> Vec<EffectRow> {
     let orders = loads.orders.iter().map(|order| order.order);
     let of_pistons: Vec<u32> =
         orders.clone().filter(|order| engine.pistons_have_order(Quantity::FORCE, *order)).collect();
@@ -143,30 +144,49 @@ pub(super) fn effects(engine: &Engine, loads: &Loads) -> Vec<EffectRow> {
             "asked for".into(),
             if is_decided { text::decided() } else { "not asked for".into() },
         ),
-        row("main bearings", !engine.bearings().is_empty(), "positions given".into(), "no positions given".into()),
     ];
     let given = |name, why: Text| row(name, true, why, Text::default());
     let speeds = engine.faster_crank().map(|_| given("crankshafts of several speeds", text::several_speeds()));
     let corrected = engine.has_corrected_links();
     let corrected = corrected.then(|| given("corrected knuckle angles", "given: odd orders appear".into()));
-    let others = others.into_iter().chain(corrected);
-    let effects = engine.effects();
-    let asked = |name, asked: bool, given: bool| EffectRow {
-        name,
-        inside: asked && given,
-        why: match (asked, given) {
-            (true, true) => text::own_section(),
-            (true, false) => "asked for, and not given".into(),
-            (false, true) => "given, and not asked for".into(),
-            (false, false) => "not given".into(),
-        },
-        group: None,
+    let sections = match page {
+        Sections::None => Vec::new(),
+        Sections::OfReport => sections(engine),
     };
-    let sections = [
-        asked("gas", effects.gas, engine.gas().is_some()),
-        asked("torsion of the crankshaft", effects.torsion, engine.torsion().is_some()),
-    ];
-    masses.chain(others).chain(speeds).chain(sections).collect()
+    masses.chain(others).chain(speeds).chain(corrected).chain(sections).collect()
+}
+
+/// Which sections of their own a page has beside the numbers of the masses.
+#[derive(Clone, Copy)]
+pub(super) enum Sections {
+    /// None: the page is on the masses alone.
+    None,
+    /// Those of a report.
+    OfReport,
+}
+
+/// What has a section of its own in a report, if it has numbers.
+fn sections(engine: &Engine) -> Vec<EffectRow> {
+    let effects = engine.effects();
+    let asked = |name, asked: bool, given: bool, has_numbers: &dyn Fn() -> bool| {
+        let (inside, why) = match (asked, given) {
+            (true, true) if has_numbers() => (true, text::own_section()),
+            (true, true) => (false, text::own_section_says_why()),
+            (true, false) => (false, "asked for, and not given".into()),
+            (false, true) => (false, "given, and not asked for".into()),
+            (false, false) => (false, "not given".into()),
+        };
+        EffectRow { name, inside, why, group: None }
+    };
+    let has_bearings = !engine.bearings().is_empty();
+    let positions = if has_bearings { "positions given" } else { "no positions given" };
+    vec![
+        EffectRow { name: "main bearings", inside: has_bearings, why: positions.into(), group: None },
+        asked("gas", effects.gas, engine.gas().is_some(), &|| torque::torque(engine).is_ok()),
+        asked("torsion of the crankshaft", effects.torsion, engine.torsion().is_some(), &|| {
+            TorsionStudy::new(engine, &[]).is_ok()
+        }),
+    ]
 }
 
 /// Where the numbers end.
