@@ -100,3 +100,21 @@ fn the_unit_of_forces_is_a_formula_in_latex() {
         assert!(unit && !page.contains("m r $\\omega$") && !page.contains("m r\\textsuperscript"), "{layout}");
     }
 }
+
+/// What `crankstar` writes into this file of a folder.
+fn file_of(arguments: &[&str], name: &str) -> String {
+    let folder = scratch("blemishes").join("out");
+    lines(&[arguments, &["--output", folder.to_str().expect("UTF-8")]].concat());
+    std::fs::read_to_string(folder.join(name)).unwrap_or_else(|error| panic!("{name}: {error}"))
+}
+
+#[test]
+fn dashes_euros_and_ends_of_proofs_have_signs_in_latex() {
+    let layout = written("title = 'A — B, 5 €'\ninline = { throws = [0, 180] }");
+    for (page, sign) in [
+        (lines(&["stars", "--format", "latex"]), "$\\blacksquare$"),
+        (lines(&["report", &layout, "--format", "latex"]), "A \\textemdash{} B, 5 \\texteuro{}"),
+    ] {
+        assert!(page.contains(sign) && !page.contains("[U+"), "{sign}");
+    }
+}

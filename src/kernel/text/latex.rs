@@ -80,6 +80,9 @@ fn signs(text: &str) -> String {
             '∞' => "$\\infty$",
             '∥' => "$\\parallel$",
             '⊥' => "$\\perp$",
+            '—' => "\\textemdash{}",
+            '€' => "\\texteuro{}",
+            '∎' => "$\\blacksquare$",
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => {
                 out.extend(['\\', letter]);
                 continue;
