@@ -118,3 +118,19 @@ fn dashes_euros_and_ends_of_proofs_have_signs_in_latex() {
         assert!(page.contains(sign) && !page.contains("[U+"), "{sign}");
     }
 }
+
+/// Two cylinders with a best damper, geared to a fourth disc.
+const GEARED: &str = "speed = '1234.5 rpm'\ncycle = 'four-stroke'\nfiring_order = '1-2'\n[inline]\nthrows = [0, 0]\n\
+    [torsion]\ninertias = [0.03, 0.03, 0.3, 0.01]\nstiffnesses = ['1 MN m/rad', '1 MN m/rad']\nloss_factor = 0.01\nspeed_range = [500, 9000]\n\
+    [[torsion.gear]]\nbetween = [3, 4]\nratio = '-7/3'\n\
+    [[torsion.damper]]\ndisc = 1\ninertia = 0.02\ndamping = 'best'\nstiffness = 'best'\n\
+    [[torsion.harmonic]]\norder = 3\ntorque = '100 N m'\n";
+
+#[test]
+fn a_campbell_diagram_reaches_the_range_of_speeds() {
+    let layout = written(GEARED);
+    assert!(file_of(&["torsion", &layout, "--format", "markdown"], "campbell.svg").contains(">8000<"));
+    let layout = written(&GEARED.replace("[500, 9000]", "[500, 600]"));
+    let drawn = file_of(&["torsion", &layout, "--format", "markdown"], "campbell.svg");
+    assert!(drawn.contains(">1000<") && !drawn.contains(">2000<"), "{drawn}");
+}

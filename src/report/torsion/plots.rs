@@ -11,7 +11,7 @@ use crate::torsion::Critical;
 
 /// This many orders are drawn as rays.
 const MOST_RAYS: usize = 5;
-/// The diagram goes so far beyond the speed of the layout.
+/// The diagram goes so far beyond the speed of the layout, or the range where that is asked for.
 const BEYOND: f64 = 1.15;
 
 /// The deflections of the first modes, disc by disc.
@@ -33,7 +33,7 @@ pub(super) fn campbell(study: &TorsionStudy) -> Option<Picture> {
     let first = study.modes.first()?;
     let strongest: Vec<&Critical> = study.strongest(first).into_iter().take(MOST_RAYS).collect();
     let fastest = strongest.iter().map(|critical| critical.rpm).fold(0.0, f64::max);
-    let end = BEYOND * study.speed.unwrap_or(fastest);
+    let end = BEYOND * study.highest_speed().unwrap_or(fastest).max(study.speed.unwrap_or_default());
     if end <= 0.0 {
         return None;
     }
