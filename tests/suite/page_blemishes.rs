@@ -134,3 +134,11 @@ fn a_campbell_diagram_reaches_the_range_of_speeds() {
     let drawn = file_of(&["torsion", &layout, "--format", "markdown"], "campbell.svg");
     assert!(drawn.contains(">1000<") && !drawn.contains(">2000<"), "{drawn}");
 }
+
+#[test]
+fn the_equation_of_gears_breaks_and_has_an_ellipsis() {
+    for (format, dots) in [("text", "…"), ("typst", "…"), ("latex", "\\dots")] {
+        let page = lines(&["torsion", &written(GEARED), "--format", format]);
+        assert!(page.contains(&format!("+ {dots}")) && !page.contains("ldots") && !page.contains("\\left("), "{page}");
+    }
+}
