@@ -142,3 +142,10 @@ fn the_equation_of_gears_breaks_and_has_an_ellipsis() {
         assert!(page.contains(&format!("+ {dots}")) && !page.contains("ldots") && !page.contains("\\left("), "{page}");
     }
 }
+
+#[test]
+fn the_ring_of_a_damper_is_no_disc_of_the_layout() {
+    let page = lines(&["torsion", &written(GEARED), "--format", "markdown"]);
+    let nodes = page.split("Node from disc").nth(1).and_then(|rest| rest.split("\n\n").next()).expect("a table");
+    assert!(nodes.contains("| 1 | ring of damper 1 |") && !nodes.contains("| 5 |"), "{nodes}");
+}

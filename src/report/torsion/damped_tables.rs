@@ -43,15 +43,18 @@ pub(super) fn shafts(study: &TorsionStudy, vibration: &Vibration) -> Table {
         .done()
 }
 
-/// One row per disc: how far it swings.
-pub(super) fn twists(study: &TorsionStudy, vibration: &Vibration) -> Table {
-    let discs = study.torsion().inertias.len();
-    let name = |disc: usize| match disc.checked_sub(discs) {
+/// A disc by its number from 1; the rings of dampers follow the discs of the layout.
+fn disc_name(study: &TorsionStudy, disc: usize) -> Text {
+    match disc.checked_sub(study.torsion().inertias.len()) {
         None => (disc + 1).into(),
         Some(damper) => phrase!("ring of damper {}", damper + 1),
-    };
+    }
+}
+
+/// One row per disc: how far it swings.
+pub(super) fn twists(study: &TorsionStudy, vibration: &Vibration) -> Table {
     Table::of(0..study.train.discs.len())
-        .column("Disc", |disc| name(*disc))
+        .column("Disc", |disc| disc_name(study, *disc))
         .column("Amplitude (°)", |disc| Number::Decimal(vibration.twist(*disc).to_degrees()))
         .done()
 }
@@ -120,11 +123,11 @@ fn first_columns<'a>(
 pub(super) fn nodes(study: &TorsionStudy) -> Table {
     let modes = (1..).zip(study.modes.iter().take(MOST_MODES));
     let rows = modes.flat_map(|(mode, speeds)| speeds.mode.nodes.iter().map(move |node| (mode, node)));
-    let at = |node: &Node| node.ends(&study.train).map(|disc| disc + 1);
+    let at = |node: &Node| node.ends(&study.train).map(|disc| disc_name(study, disc));
     Table::of(rows)
         .column("Mode", |(mode, _): &(usize, &Node)| *mode)
-        .column("Node from disc", |(_, node)| at(node)[0])
-        .column("To disc", |(_, node)| at(node)[1])
+        .column("Node from disc", |(_, node)| at(node)[0].clone())
+        .column("To disc", |(_, node)| at(node)[1].clone())
         .column("Fraction of the shaft's length", |(_, node)| {
             Text::or_dash(match node {
                 Node::Shaft(_, part) => Some(Number::Decimal(*part)),
