@@ -149,3 +149,11 @@ fn the_ring_of_a_damper_is_no_disc_of_the_layout() {
     let nodes = page.split("Node from disc").nth(1).and_then(|rest| rest.split("\n\n").next()).expect("a table");
     assert!(nodes.contains("| 1 | ring of damper 1 |") && !nodes.contains("| 5 |"), "{nodes}");
 }
+
+#[test]
+fn the_speed_of_torsion_is_that_of_the_layout() {
+    let page = printed(&["torsion", &written(GEARED), "--format", "markdown"]);
+    assert!(page.contains("At 1234.5 rpm the first disc") && !page.contains("1234 rpm"), "{page}");
+    let third = written(&GEARED.replace("'1234.5 rpm'", "'3700/3'"));
+    assert!(printed(&["torsion", &third]).contains("At 1233 rpm the first disc"));
+}

@@ -1,12 +1,24 @@
 //! How are speeds, parts and torques of a shaft written?
 
 use super::study::TorsionStudy;
-use crate::page::{Piece, Setting, Text, Unit};
+use crate::page::{Piece, Setting, Text, Unit, number};
 
 /// A speed, rounded to what a reader wants to know.
 pub(super) fn rpm(value: f64) -> Text {
     Piece::Quantity(value, Unit::PER_MINUTE).into()
 }
+
+/// The speed that the numbers are for, as it is given.
+pub(super) fn given_rpm(value: f64) -> Text {
+    let whole = |value: f64| match value.to_string() {
+        short if short.len() <= LONGEST_GIVEN => short,
+        _ => number::sensible(value),
+    };
+    Text::set_in(value, Unit::PER_MINUTE, Setting::Fixed(whole))
+}
+
+/// Longer speeds, such as 1000/3, are rounded.
+const LONGEST_GIVEN: usize = 10;
 
 /// Two speeds of a range, in hundredths where they would look alike.
 pub(super) fn range([from, to]: [f64; 2]) -> [Text; 2] {

@@ -1,7 +1,7 @@
 //! What is said of the torque in the teeth of gears? Tables of data and of the page, the answer.
 
 use super::Vibration;
-use super::amounts::{rpm, torque};
+use super::amounts::{given_rpm, rpm, torque};
 use super::study::TorsionStudy;
 use crate::numbers::float;
 use crate::page::{self, Number, Text, Unit, phrase};
@@ -60,7 +60,7 @@ pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
     let disc = |gear: usize, end: usize| study.train.gears[gear][end] + 1;
     let mut lines = Vec::new();
     if let Some((gear, ([first, second], speed))) = most(|one| one.own) {
-        lines.push(text::teeth(rpm(speed), torque(first), disc(gear, 0), torque(second), disc(gear, 1)));
+        lines.push(text::teeth(given_rpm(speed), torque(first), disc(gear, 0), torque(second), disc(gear, 1)));
     }
     if let Some((gear, ([first, second], speed))) = most(|one| one.largest) {
         lines.push(text::worst_teeth(torque(first), disc(gear, 0), torque(second), disc(gear, 1), rpm(speed)));

@@ -71,7 +71,7 @@ fn forced_twist(study: &TorsionStudy) -> Vec<Block> {
         }
     };
     if let Some(vibration) = study.at_speed() {
-        let speed = || amounts::rpm(vibration.speed);
+        let speed = || amounts::given_rpm(vibration.speed);
         let twists = !study.is_still();
         if twists {
             section(text::shafts(speed()), damped::shafts(study, vibration));

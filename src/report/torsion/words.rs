@@ -1,7 +1,7 @@
 //! What is said first of a shaft that twists, and what it rests on?
 
 use super::super::torque::misfire;
-use super::amounts::{part, range, rpm, shaft, torque};
+use super::amounts::{given_rpm, part, range, rpm, shaft, torque};
 use super::study::TorsionStudy;
 use super::tables::MOST_MODES;
 use super::{barred, gears};
@@ -48,9 +48,9 @@ pub(super) fn found(study: &TorsionStudy) -> Vec<Text> {
 /// What the table of forced twists says.
 pub(super) fn forced(study: &TorsionStudy, speed: f64) -> Text {
     if study.torsion().is_damped() {
-        return text::forced(rpm(speed));
+        return text::forced(given_rpm(speed));
     }
-    text::forced_undamped(rpm(speed))
+    text::forced_undamped(given_rpm(speed))
 }
 
 fn hertz(mode: &CriticalSpeeds) -> Text {
@@ -85,10 +85,10 @@ fn frequencies(study: &TorsionStudy) -> Vec<Text> {
         Some(second) => text::two_frequencies(hertz(first), hertz(second)),
     });
     lines.push(match (study.strongest(first).first(), study.highest_speed()) {
-        (None, Some(speed)) => text::none_excites_below(rpm(speed)),
+        (None, Some(speed)) => text::none_excites_below(given_rpm(speed)),
         (None, None) => text::none_excites(),
         (Some(critical), Some(speed)) => text::strongest_order_below(
-            rpm(speed),
+            given_rpm(speed),
             critical.order.to_string(),
             rpm(critical.rpm),
             part(critical.star.norm() / first.longest),
@@ -119,10 +119,10 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
         let where_it_is = shaft(study, most);
         lines.push(match study.stress(most, value) {
             // The train turns as a rigid body, as far as decimals tell.
-            _ if value == 0.0 => text::rigid(rpm(vibration.speed), swings),
-            None => text::twist(rpm(vibration.speed), swings, torque(value), where_it_is),
+            _ if value == 0.0 => text::rigid(given_rpm(vibration.speed), swings),
+            None => text::twist(given_rpm(vibration.speed), swings, torque(value), where_it_is),
             Some(stress) => text::stressed_twist(
-                rpm(vibration.speed),
+                given_rpm(vibration.speed),
                 swings,
                 torque(value),
                 where_it_is,
