@@ -157,3 +157,12 @@ fn the_speed_of_torsion_is_that_of_the_layout() {
     let third = written(&GEARED.replace("'1234.5 rpm'", "'3700/3'"));
     assert!(printed(&["torsion", &third]).contains("At 1233 rpm the first disc"));
 }
+
+#[test]
+fn firing_stars_of_one_cylinder_name_it_and_the_caption_counts_those_drawn() {
+    let arguments = ["firing", "radial-7-master", "--format", "markdown"];
+    let drawn = file_of(&arguments, "firing-stars.svg");
+    assert!(drawn.contains(">Order ½ (cylinder 1)<") && !drawn.contains(">Order ½, 1<"), "{drawn}");
+    assert!(lines(&arguments).contains("The first 12 firing stars of 56."));
+    assert!(lines(&["firing", "I4", "--format", "markdown"]).contains("\nFiring stars."));
+}

@@ -104,26 +104,22 @@ pub(super) fn assumed(with_mode_shape: bool) -> Vec<Text> {
 
 /// The stars of the first orders, all of them up to this many.
 fn picture(study: &FiringStudy) -> Picture {
-    let of_order = |order: &'_ StarOrder| -> Vec<(String, String)> {
-        order.stars.iter().map(|star| (order.order.to_string(), names_of(&study.engine, star))).collect()
-    };
-    let names: Vec<(String, String)> = study.orders.iter().flat_map(of_order).collect();
-    let stars = study.orders.iter().flat_map(|order| &order.stars).map(JudgedStar::from);
     let is_single = study.is_of_one_class();
-    let headed: Vec<(String, JudgedStar<'_>)> = names
-        .into_iter()
-        .zip(stars)
-        .take(MOST_DRAWN)
-        .map(|((order, of), star)| {
-            (if is_single { format!("Order {order}") } else { format!("Order {order}, {of}") }, star)
-        })
-        .collect();
+    let heading = |order: &StarOrder, star: &FiringStar| match (is_single, star.sources.len()) {
+        (true, _) => format!("Order {}", order.order),
+        (false, 1) => format!("Order {} (cylinder {})", order.order, names_of(&study.engine, star)),
+        (false, _) => format!("Order {} (cylinders {})", order.order, names_of(&study.engine, star)),
+    };
+    let stars = || study.orders.iter().flat_map(|order| order.stars.iter().map(move |star| (order, star)));
+    let headed: Vec<(String, JudgedStar<'_>)> =
+        stars().take(MOST_DRAWN).map(|(order, star)| (heading(order, star), star.into())).collect();
     let drawn: Vec<JudgedStar<'_>> = headed.iter().map(|(_, star)| *star).collect();
-    Picture::new(
-        "firing-stars",
-        phrase!("Firing stars. {}", legend_of_one_scale(&study.engine, &drawn)),
-        firing_figure(&study.engine, headed),
-    )
+    let legend = legend_of_one_scale(&study.engine, &drawn);
+    let caption = match stars().count() {
+        all if all > MOST_DRAWN => text::first_stars(MOST_DRAWN, all, legend),
+        _ => phrase!("Firing stars. {}", legend),
+    };
+    Picture::new("firing-stars", caption, firing_figure(&study.engine, headed))
 }
 
 /// A line per star.
