@@ -166,3 +166,13 @@ fn firing_stars_of_one_cylinder_name_it_and_the_caption_counts_those_drawn() {
     assert!(lines(&arguments).contains("The first 12 firing stars of 56."));
     assert!(lines(&["firing", "I4", "--format", "markdown"]).contains("\nFiring stars."));
 }
+
+#[test]
+fn the_acceleration_is_that_of_the_textbook_only_where_it_has_one() {
+    let rods =
+        "speed = 3000\nmechanism = { stroke = '90 mm', rod_length = '150 mm', OFFSET }\ninline = { throws = [0, 180] }";
+    for (offset, has_textbook) in [("pin_offset = 0", true), ("pin_offset = '4 mm'", false)] {
+        let page = said("angle", &rods.replace("OFFSET", offset), &["--at", "30", "--format", "markdown"]);
+        assert_eq!(page.contains(", of the mechanism and by the textbook's two terms."), has_textbook, "{page}");
+    }
+}

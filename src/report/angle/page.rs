@@ -99,7 +99,7 @@ fn pictures(study: &AngleStudy) -> Vec<Picture> {
         "Acceleration of the first piston",
         Axis::linear("Acceleration in {}").counted_in(Unit::METRE_PER_SQUARE_SECOND),
         &[("mechanism", &|piston| piston.acceleration), ("textbook", &|piston| piston.textbook.map(|both| both[1]))],
-        text::acceleration(),
+        text::acceleration(all.iter().any(|(_, piston)| piston.textbook.is_some())),
     );
     let forces = draw(
         "angle-forces",
