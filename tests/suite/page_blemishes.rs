@@ -176,3 +176,18 @@ fn the_acceleration_is_that_of_the_textbook_only_where_it_has_one() {
         assert_eq!(page.contains(", of the mechanism and by the textbook's two terms."), has_textbook, "{page}");
     }
 }
+
+#[test]
+fn german_pages_have_no_english_reason_nor_unit_of_a_star() {
+    let single = written(
+        "speed = 3000\ncycle = 'four-stroke'\ninline = { throws = [0], spacing = '90 mm' }\n\
+        mechanism = { stroke = '90 mm', rod_length = '150 mm', pin_offset = '4 mm', reciprocating_mass = 1 }\n\
+        gas = { dead_centre = 'piston', bore = '70 mm', process = 'spark-ignition', compression_ratio = 11, mean_pressure = '11 bar' }",
+    );
+    let page = printed(&["moments", &single, "--lang", "de"]);
+    assert!(page.contains("bekannt sind sie für Pleuel endlicher Länge"), "{page}");
+    let rods = "fan = { banks = [-47.5, 0, 61.25], throws = [0, 180], spacing = '0.13 m' }\narticulated = { master = [3, 4], knuckle_radius = '41 mm' }\n\
+        mechanism = { stroke = '99 mm', rod_length = '190 mm' }";
+    let page = said("report", rods, &["--lang", "de", "--format", "latex"]);
+    assert!(page.contains("$ $\\cdot$ Meter") && !page.contains("metre}"), "{page}");
+}
