@@ -2,7 +2,7 @@
 
 use crankstar::page::figure::{Figure, Ink, Mark, Point};
 use crankstar::page::plot::{Axis, Curve, Map, Plot, PointMark, Polar, Rule};
-use crankstar::page::{svg, tikz};
+use crankstar::page::{Language, Picture, svg, tikz};
 use proptest::prelude::*;
 
 fn labels(axis: &Axis, values: &[f64]) -> Vec<String> {
@@ -341,4 +341,21 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn a_legend_has_room_for_its_names_in_each_language() {
+    let curves =
+        [(0, "link 1"), (1, "link 5")].map(|(number, name)| Curve::new(number, name, vec![(1.0, 0.0), (0.0, 1.0)]));
+    let figure = Polar::new("Links", "Force in N", curves.to_vec()).figure();
+    let german = Language::De.picture(&Picture { name: "links".to_owned(), caption: "".into(), figure }).figure;
+    let at = |name: &str| {
+        let places = german.marks.iter().filter_map(|mark| match mark {
+            Mark::Text { at, text, .. } if text == name => Some(at.re),
+            _ => None,
+        });
+        places.last().unwrap_or_else(|| panic!("no {name}"))
+    };
+    // The first name, 21 mm long, and the sample of the second curve.
+    assert!(at("Nebenpleuel 5") - at("Nebenpleuel 1") > 21.0 + 10.0);
 }

@@ -5,6 +5,7 @@ use super::Curve;
 use super::frame::EDGE;
 use super::labels::LINE;
 use super::mark::PointMark;
+use super::names::widest;
 use super::number::text_width;
 
 /// Length of the sample of a curve in the legend.
@@ -103,5 +104,5 @@ impl<'a> Head<'a> {
 }
 
 fn row_width(row: &[&Key]) -> f64 {
-    row.iter().map(|key| key.sample() + text_width(key.name()) + 6.0).sum()
+    row.iter().map(|key| key.sample() + text_width(&widest(key.name())) + 6.0).sum()
 }

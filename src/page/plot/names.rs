@@ -74,7 +74,7 @@ pub(super) fn name_curves<'a>(
 }
 
 /// A name in the language in which it is the widest: there is room for it in each.
-fn widest(name: &str) -> String {
+pub(super) fn widest(name: &str) -> String {
     let spelled = Language::ALL.into_iter().map(|language| language.label(name).into_owned());
     spelled.max_by(|one, other| text_width(one).total_cmp(&text_width(other))).unwrap_or_default()
 }
