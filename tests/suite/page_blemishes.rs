@@ -191,3 +191,13 @@ fn german_pages_have_no_english_reason_nor_unit_of_a_star() {
     let page = said("report", rods, &["--lang", "de", "--format", "latex"]);
     assert!(page.contains("$ $\\cdot$ Meter") && !page.contains("metre}"), "{page}");
 }
+
+#[test]
+fn turned_mounts_say_so() {
+    let layout = std::fs::read_to_string("reports/examples/i4-mounts/layout.toml").expect("a layout");
+    let turned =
+        said("mounts", &layout.replace("turned = [0, 0, 30]", "turned = [10, -20, 30]"), &["--format", "markdown"]);
+    assert!(turned.contains("| Turned about x; y; z |") && turned.contains("| 10°; −20°; 30° |"), "{turned}");
+    let straight = said("mounts", &layout.replace("turned = [0, 0, 30]", ""), &["--format", "markdown"]);
+    assert!(!straight.contains("Turned about"), "{straight}");
+}

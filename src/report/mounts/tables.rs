@@ -1,7 +1,9 @@
 //! Which tables tell of an engine on its mounts?
 
 use num_complex::Complex;
+use num_traits::Zero;
 
+use super::super::typeset;
 use super::words::{place, rpm};
 use super::{MountsStudy, OrderMotion, Place, largest, peak};
 use crate::mounts::Phasors;
@@ -175,12 +177,14 @@ pub(super) fn critical(study: &MountsStudy) -> Table {
     table.done()
 }
 
-/// One row per mount: place, stiffness, damping.
+/// One row per mount: place, stiffness, damping, and how its axes are turned where any are.
 pub(super) fn mounts(study: &MountsStudy) -> Table {
     let three = |values: &[num_rational::BigRational; 3], unit| {
         Text::joined(values.iter().map(|value| number::given_in(value, unit)), "; ")
     };
-    Table::of(study.mounting().mounts.iter().enumerate())
+    let mounts = &study.mounting().mounts;
+    let is_turned = mounts.iter().any(|mount| mount.turned.iter().any(|angle| !angle.is_zero()));
+    Table::of(mounts.iter().enumerate())
         .column("Mount", |(index, _)| index + 1)
         .column(phrase!("Place x; y; z ({})", Unit::METRE), |(_, mount)| three(&mount.place, Unit::METRE))
         .column(phrase!("Stiffness ({})", Unit::NEWTON_PER_METRE), |(_, mount)| {
@@ -188,6 +192,9 @@ pub(super) fn mounts(study: &MountsStudy) -> Table {
         })
         .column(phrase!("Damping ({})", Unit::NEWTON_SECOND_PER_METRE), |(_, mount)| {
             three(&mount.damping, Unit::NEWTON_SECOND_PER_METRE)
+        })
+        .column_if(is_turned, "Turned about x; y; z", |(_, mount)| {
+            Text::joined(mount.turned.iter().map(typeset::turns).map(Text::from), "; ")
         })
         .column("Loss factor", |(_, mount)| number::given_in(&mount.loss_factor, Unit::NONE))
         .done()
