@@ -201,3 +201,19 @@ fn turned_mounts_say_so() {
     let straight = said("mounts", &layout.replace("turned = [0, 0, 30]", ""), &["--format", "markdown"]);
     assert!(!straight.contains("Turned about"), "{straight}");
 }
+
+#[test]
+fn an_index_is_no_underscore_in_latex() {
+    for arguments in [
+        &["compare", "I4", "V6-60-shared", "--format", "latex"][..],
+        &["sweep", "V6-60-shared", "--bank-angle", "0..60:30", "--pin-split", "-60..60:60", "--format", "latex"],
+    ] {
+        let page = lines(arguments);
+        assert!(page.contains("c_k$") && !page.contains("c\\_k"), "{arguments:?}");
+    }
+    let stress = file_of(
+        &["torsion", "reports/examples/marine-six-torsion/layout.toml", "--format", "markdown"],
+        "torsion-stress.svg",
+    );
+    assert!(stress.contains(">permitted ") && !stress.contains("τ_C"), "{stress}");
+}

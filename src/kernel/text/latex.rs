@@ -21,14 +21,25 @@ pub const SUPERSCRIPTS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '�
 /// Letters beyond ÿ that the fonts of the encoding T1 have.
 const OF_T1: &str = "ĂăĄąĆćČčĎďĐđĘęĚěĞğİıĹĺĽľŁłŃńŇňŊŋŐőŒœŔŕŘřŚśŞşŠšŢţŤťŮůŰűŸŹźŻżŽž";
 
-/// Products of symbols, which are formulas in a text.
-const FORMULAS: [(&str, &str); 2] = [("m r ω²", "$m\\,r\\,\\omega^2$"), ("m r² ω²", "$m\\,r^2\\,\\omega^2$")];
+/// Products of symbols, which are formulas in a text; what begins another stands after it.
+const FORMULAS: [(&str, &str); 3] = [
+    ("m r ω² c_k", "$m\\,r\\,\\omega^2 c_k$"),
+    ("m r ω²", "$m\\,r\\,\\omega^2$"),
+    ("m r² ω²", "$m\\,r^2\\,\\omega^2$"),
+];
 
 /// Plain text for pdflatex: its special characters, the signs that the reports use, and its formulas.
 pub fn latex(text: &str) -> String {
-    let [(force, set_force), (torque, set_torque)] = FORMULAS;
-    let of_torques = |text: &str| text.split(torque).map(signs).collect::<Vec<_>>().join(set_torque);
-    text.split(force).map(of_torques).collect::<Vec<_>>().join(set_force)
+    with_formulas(text, &FORMULAS)
+}
+
+fn with_formulas(text: &str, formulas: &[(&str, &str)]) -> String {
+    match formulas {
+        [] => signs(text),
+        [(plain, set), others @ ..] => {
+            text.split(plain).map(|part| with_formulas(part, others)).collect::<Vec<_>>().join(set)
+        }
+    }
 }
 
 fn signs(text: &str) -> String {
@@ -69,6 +80,9 @@ fn signs(text: &str) -> String {
             '→' => "$\\to$",
             '…' => "\\dots{}",
             '–' => "--",
+            '—' => "\\textemdash{}",
+            '€' => "\\texteuro{}",
+            '∎' => "$\\blacksquare$",
             '„' => "\\quotedblbase{}",
             '“' => "``",
             '”' => "''",
@@ -80,9 +94,6 @@ fn signs(text: &str) -> String {
             '∞' => "$\\infty$",
             '∥' => "$\\parallel$",
             '⊥' => "$\\perp$",
-            '—' => "\\textemdash{}",
-            '€' => "\\texteuro{}",
-            '∎' => "$\\blacksquare$",
             '#' | '$' | '%' | '&' | '_' | '{' | '}' => {
                 out.extend(['\\', letter]);
                 continue;

@@ -92,7 +92,7 @@ pub(super) fn over_range(study: &TorsionStudy) -> Vec<Picture> {
         stress.curves.push(Curve::new(number, amounts::shaft_drawn(study, shaft), points(&of)));
         if study.limit(shaft).is_some() {
             let limit = |at: &TwistAtSpeed| 1e-6 * study.permissible(shaft, at.speed).unwrap_or(f64::NAN);
-            let curve = Curve::new(number, format!("τ_C {}", amounts::shaft(study, shaft)), points(&limit));
+            let curve = Curve::new(number, format!("permitted {}", amounts::shaft(study, shaft)), points(&limit));
             stress.curves.push(Curve { ink: Ink::Grey, ..curve });
         }
     }
