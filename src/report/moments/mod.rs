@@ -11,6 +11,7 @@ use crate::engine::{Crankshaft, CycleOrder, Engine, HIGHEST_ORDER};
 use crate::loads::{self, Arm, Missing, OrderLoads};
 use crate::order;
 use crate::proof::{Planar, Sense};
+use crate::report::texts::moments as texts;
 use crate::text::{self, Untrusted};
 use crate::torque::{self, GuideMoments};
 
@@ -180,8 +181,7 @@ fn highest_of_guides(engine: &Engine) -> u32 {
 /// The guide-force moments by order up to this one, and the power; or why there are none.
 pub(super) fn guides(engine: &Engine, highest: u32) -> Result<(Vec<GuideMoments>, Option<f64>), String> {
     let torque = torque::torque_up_to(engine, highest).map_err(|lack| lack.to_string())?;
-    let moments = torque::guide_moments(engine, &torque)
-        .ok_or("they are known for rods of a finite length on axes without an offset, of one crankshaft")?;
+    let moments = torque::guide_moments(engine, &torque).ok_or_else(|| texts::guides_known().plain())?;
     Ok((moments, torque.power))
 }
 
