@@ -296,7 +296,7 @@ pub(super) fn whole_star(engine: &Engine, stars: &WholeStars, order: u32) -> Tab
     let mut table = Table::new(["Source".into(), arm_heading(engine), "½ direct".into(), "½ reverse".into()]);
     let vector = |vector: Complex<f64>| {
         let [length, angle] = [vector.norm(), numbers::degrees(vector)].map(number::sensible);
-        phrase!("{} at {}", Text::label(length), Text::label(format!("{angle}°")))
+        phrase!("≈ {} at ≈ {}", Text::label(length), Text::label(format!("{angle}°")))
     };
     let mut sources: BTreeMap<Source, [Text; 2]> = BTreeMap::new();
     for (place, sense) in Sense::BOTH.into_iter().enumerate() {
