@@ -227,3 +227,15 @@ fn the_halves_of_a_star_in_decimals_stand_after_an_approximate_sign() {
     let cells: Vec<&str> = halves.split('|').filter(|cell| cell.contains(" at ")).collect();
     assert!(!cells.is_empty() && cells.iter().all(|cell| cell.matches('≈').count() == 2), "{halves}");
 }
+
+#[test]
+fn a_map_marks_all_points_of_its_least_value() {
+    let asked =
+        ["sweep", "V6-60-shared", "--bank-angle", "0..180:60", "--pin-split", "-60..60:60", "--format", "markdown"];
+    let folder = scratch("least").join("out");
+    lines(&[&asked[..], &["--output", folder.to_str().expect("UTF-8")]].concat());
+    let map = std::fs::read_to_string(folder.join("moment-1.svg")).expect("a map");
+    assert_eq!(map.matches(">≈ 1.500<").count(), 1, "{map}");
+    // Two points and their sign in the legend.
+    assert_eq!(map.matches("<circle").count(), 3, "{map}");
+}

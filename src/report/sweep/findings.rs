@@ -9,7 +9,7 @@ use crate::sweep::{Amplitude, Sweep, SweptEngine, ZeroSet, Zeros};
 /// More values than this are not listed in a sentence or a cell.
 const MOST_LISTED: usize = 4;
 /// Decimals that differ by less than this part are shown alike.
-const ALIKE: f64 = 1e-9;
+pub(super) const ALIKE: f64 = 1e-9;
 
 /// What the points say of the largest force, or the largest moment, of one order.
 pub(super) struct Finding<'a> {

@@ -8,6 +8,7 @@ use super::super::plot::stack::stacked;
 use super::super::plot::{Axis, Curve, Map, Plot, PointMark};
 use super::super::typeset;
 use super::amounts::{self, axis_name};
+use super::findings::ALIKE;
 use crate::numbers::float;
 use crate::page::{Picture, Text};
 use crate::proof::Planar;
@@ -220,10 +221,16 @@ fn map(sweep: &Sweep, quantity: Planar, order: u32, place: usize) -> Figure {
     map.figure()
 }
 
-/// The point of the grid with the least amplitude, named by its value.
-fn least(sweep: &Sweep, largest: &dyn Fn(&SweptEngine) -> f64) -> Option<PointMark> {
-    let points = sweep.points.iter().filter(|point| largest(point).is_finite());
-    let best = points.min_by(|a, b| largest(a).total_cmp(&largest(b)))?;
-    let at = (float(best.values.get(1)?), float(best.values.first()?));
-    Some(PointMark::dot(at, "").valued(largest(best)).of("least on the grid"))
+/// The points of the grid with the least amplitude, the first named by its value.
+fn least(sweep: &Sweep, largest: &dyn Fn(&SweptEngine) -> f64) -> Vec<PointMark> {
+    let points = || sweep.points.iter().filter(|point| largest(point).is_finite());
+    let lowest = points().map(largest).fold(f64::INFINITY, f64::min);
+    let most = points().map(largest).fold(0.0, f64::max);
+    let alike = points().filter(|point| largest(point) - lowest <= ALIKE * most);
+    let places = alike.filter_map(|point| Some((float(point.values.get(1)?), float(point.values.first()?))));
+    let mut dots: Vec<PointMark> = places.map(|at| PointMark::dot(at, "").of("least on the grid")).collect();
+    if let Some(first) = dots.first_mut() {
+        *first = first.clone().valued(lowest);
+    }
+    dots
 }
