@@ -239,3 +239,13 @@ fn a_map_marks_all_points_of_its_least_value() {
     // Two points and their sign in the legend.
     assert_eq!(map.matches("<circle").count(), 3, "{map}");
 }
+
+#[test]
+fn an_address_as_long_as_a_line_may_break_in_latex_and_a_title_in_a_browser() {
+    let address = format!("https://example.org/{}", "abcdefgh_ij/".repeat(10));
+    let layout = written(&format!("title = 'T'\nsource = '{address}'\n[inline]\nthrows = [0, 180]\n"));
+    let page = lines(&["report", &layout, "--format", "latex"]);
+    assert_eq!(page.matches("ij/\\allowbreak{}").count(), 19, "{page}");
+    assert!(!lines(&["report", "I4", "--format", "latex"]).contains("\\allowbreak"));
+    assert!(lines(&["report", "I4", "--format", "html"]).contains("h1, h2, h3, p, li { overflow-wrap: anywhere; }"));
+}

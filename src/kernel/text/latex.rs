@@ -2,8 +2,24 @@
 
 use super::letters::TEX_LETTERS;
 
+/// Longer words may be broken, after one of these signs.
+const LONGEST_WORD: usize = 40;
+const ENDS_OF_PARTS: [char; 6] = ['/', '.', '_', '-', '&', '='];
+
 /// A person's text: signs that end a row or open an argument are no more than signs.
 pub(super) fn quoted(text: &str) -> String {
+    breakable(text, in_braces)
+}
+
+/// A text as it is written so, with places where a line may end in words, such as addresses, that are as long as a line.
+pub fn breakable(text: &str, written: impl Fn(&str) -> String) -> String {
+    if text.split(' ').all(|word| word.len() <= LONGEST_WORD) {
+        return written(text);
+    }
+    text.split_inclusive(ENDS_OF_PARTS).map(written).collect::<Vec<_>>().join("\\allowbreak{}")
+}
+
+fn in_braces(text: &str) -> String {
     let mut out = String::new();
     for piece in text.split_inclusive(['[', ']', '*', '`']) {
         let sign = piece.chars().next_back().filter(|sign| "[]*`".contains(*sign));

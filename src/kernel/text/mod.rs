@@ -19,7 +19,7 @@ pub use coq::coq_comment;
 pub use csv::field;
 pub use decoded::decoded;
 pub use json::json;
-pub use latex::{SUPERSCRIPTS, latex};
+pub use latex::{SUPERSCRIPTS, breakable, latex};
 pub use letters::TEX_LETTERS;
 pub use markdown::markdown;
 pub use script::json_in_script;

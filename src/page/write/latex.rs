@@ -86,6 +86,6 @@ fn line(line: &str) -> String {
         return "~".to_owned();
     }
     let begin = line.len() - line.trim_start().len();
-    let quotes: Vec<String> = line[begin..].split('"').map(text::latex).collect();
+    let quotes: Vec<String> = line[begin..].split('"').map(|part| text::breakable(part, text::latex)).collect();
     format!("{}{}", "~".repeat(begin), quotes.join("\\textquotedbl{}").replace("  ", "~~"))
 }
