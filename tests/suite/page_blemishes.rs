@@ -249,3 +249,12 @@ fn an_address_as_long_as_a_line_may_break_in_latex_and_a_title_in_a_browser() {
     assert!(!lines(&["report", "I4", "--format", "latex"]).contains("\\allowbreak"));
     assert!(lines(&["report", "I4", "--format", "html"]).contains("h1, h2, h3, p, li { overflow-wrap: anywhere; }"));
 }
+
+#[test]
+fn appendices_of_a_family_are_named_by_their_orders() {
+    let family = "vee = { bank_angle = 'phi', pin_split = 'delta', throws = [0, 120, 240] }";
+    let page = lines(&["report", &written(family), "--format", "latex"]);
+    for order in [1, 2, 4, 6] {
+        assert_eq!(page.matches(&format!("\\section{{Order {order}: sums and certificates}}")).count(), 1, "{page}");
+    }
+}

@@ -77,7 +77,7 @@ pub fn family_summary(family: &Family, orders: &[OpenOrder]) -> Block {
 pub fn family_proofs(family: &Family, orders: &[OpenOrder]) -> Vec<Block> {
     let of_order = |order: &OpenOrder| {
         let heading = Block::Heading(2, phrase!("Order {}", order.order));
-        let folded = Fold { summary: "Why: sums and certificates".into(), blocks: proofs(order) };
+        let folded = Fold { summary: phrase!("Order {}: sums and certificates", order.order), blocks: proofs(order) };
         [heading, tables::phases(family, order.order).into(), Block::Folded(folded)]
     };
     orders.iter().flat_map(of_order).collect()
