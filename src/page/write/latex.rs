@@ -25,6 +25,8 @@ impl Writer for Latex {
     }
 
     fn words(&self, words: &str) -> String {
+        // A number stays with its sign.
+        let words = &words.replace("≈ ", "≈\u{a0}");
         // Elsewhere an `a` behind it may be a word.
         match words.strip_suffix("m r ω² a") {
             Some(before) => text::latex(before) + "$m\\,r\\,\\omega^2\\,a$",
