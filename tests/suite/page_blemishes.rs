@@ -270,3 +270,17 @@ fn no_line_of_latex_ends_between_a_sign_and_its_number() {
         }
     }
 }
+
+#[test]
+fn a_table_without_headings_has_no_row_of_them() {
+    let layout = written("title = 'T'\n[document]\nnumber = 'X-1'\n[inline]\nthrows = [0, 180]\n");
+    let latex = lines(&["report", &layout, "--format", "latex"]);
+    assert!(latex.contains("\\toprule\nDocument & X-1 \\\\\n"), "{latex}");
+    let typst = lines(&["report", &layout, "--format", "typst"]);
+    assert!(
+        typst.contains("table.hline(), \n[Document], [X\\-1],")
+            || typst.contains("table.hline(), \n[Document], [X-1],"),
+        "{typst}"
+    );
+    assert!(!typst.contains("table.header([], []"), "{typst}");
+}
