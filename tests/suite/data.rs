@@ -547,7 +547,7 @@ fn what_cannot_be_had_is_refused_before_anything_is_written() {
     refused(&["classify", "I4", "--output", &file("x")], 2, "--output is for data");
     refused(&["classify", "I4", "--format", "csv", "--output", &file("x.xlsx")], 2, "--format xlsx, or a name");
     refused(&["compare", "I4", "I6", "--format", "json", "--output", &file("x.csv")], 2, "--format csv, or a name");
-    refused(&["classify", "I4", "--firing", "--format", "csv"], 2, "no tables of data");
+    refused(&["classify", "I4", "--firing", "--format", "csv"], 2, "no tables of firing stars");
     refused(&["classify", "I4", "--format", "csv", "--table", "roll"], 1, "it has orders, sums");
     refused(&["classify", "I4", "--all-orders"], 2, "add --json");
     refused(&["classify", "I4", "--json", "--format", "csv"], 2, "cannot be used with");
