@@ -374,6 +374,5 @@ if __name__ == "__main__":
     getattr(sys, "set_int_max_str_digits", lambda _: None)(0)  # numbers have up to 5,000 digits
     try:
         sys.exit(main(sys.argv[1:]))
-    except BrokenPipeError:  # who reads has enough; the interpreter is not to write the rest at its end
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        sys.exit(1)
+    except BrokenPipeError:  # who reads has enough, and the rest is not to be written at the end
+        os._exit(1)

@@ -131,7 +131,7 @@ fn two_files_of_it_that_are_short_decide_about_the_verdicts_on_an_engine() {
     assert_eq!((code, told.matches(": verified, ").count()), (0, 3), "{told}");
     let lines = |file: &str| fs::read_to_string(folder.join(file)).expect("text").lines().count();
     let lines = lines("verify.py") + lines("reading.py");
-    assert!(lines < 500, "{lines} lines are no ten minutes of reading");
+    assert!(lines <= 500, "{lines} lines are no ten minutes of reading");
 }
 
 fn seed(name: &str) -> Value {

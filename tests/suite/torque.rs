@@ -221,9 +221,6 @@ fn random(dice: &mut Dice) -> (String, Vec<Bodies>, Vec<Vec<f64>>, f64) {
             table: usize::from(index == other),
         });
     }
-    // The crank angle counts from where throw and axis of the first cylinder meet in the revolution that it fires in.
-    let first = fires[0] - fires[0].rem_euclid(360);
-    bodies.iter_mut().for_each(|body| body.fires -= first as f64);
     let fires: Vec<String> = fires.iter().map(ToString::to_string).collect();
     let text = format!(
         "cycle = '{}'\nspeed = {speed}\nfiring_angles = [{}]\n[mechanism]\nstroke = [{}]\nrod_length = [{}]\npin_offset = [{}]\n\

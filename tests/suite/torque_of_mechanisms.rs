@@ -185,11 +185,6 @@ fn random_stars(dice: &mut Dice) -> (String, Vec<Star>, Vec<f64>, f64) {
         names.push((angles.len() as i64 - count).to_string());
         stars.push(star);
     }
-    let first = (angles[0] - angles[0].rem_euclid(360)) as f64;
-    for star in &mut stars {
-        star.fires -= first;
-        star.links.iter_mut().for_each(|link| link.fires -= first);
-    }
     let angles: Vec<String> = angles.iter().map(ToString::to_string).collect();
     let text = format!(
         "cycle = '{}'\nspeed = {speed}\nfiring_angles = [{}]\n[mechanism]\ncrank_radius = '{radius} mm'\nrod_length = '{rod} mm'\n\
@@ -306,16 +301,14 @@ fn the_torque_of_each_of_several_crankshafts_and_the_roll_are_those_of_their_bod
         let bare = any_engine_at(&mut dice, 1);
         let engine = read(&bare);
         let cycle = if dice.below(2) == 0 { 720 } else { 360 };
-        let tops: Vec<f64> = engine
+        let fires: Vec<f64> = engine
             .cylinders()
             .iter()
             .map(|cylinder| cylinder.top_dead_centre().turns().to_f64().expect("a float") * 360.0)
             .map(|top| (top + 360.0 * (dice.below(2) as f64) * f64::from(u8::from(cycle == 720))).round())
             .collect();
-        let first = tops[0] - tops[0].rem_euclid(360.0);
-        let fires: Vec<f64> = tops.iter().map(|top| top - first).collect();
         let (table, gas) = gas(&mut dice, cycle);
-        let written: Vec<String> = tops.iter().map(ToString::to_string).collect();
+        let written: Vec<String> = fires.iter().map(ToString::to_string).collect();
         let (speed, named) = (500 + dice.below(4000), if cycle == 720 { "four-stroke" } else { "two-stroke" });
         let text = format!("cycle = '{named}'\nspeed = {speed}\nfiring_angles = [{}]\n{bare}{gas}", written.join(", "));
         let (engine, torque) = found(&text);

@@ -265,10 +265,10 @@ fn many_in_line(cylinders: usize) -> Engine {
 
 /// Seven of the first twelve orders were the strongest that a two-stroke of fourteen cylinders could have.
 #[test]
-fn the_first_major_order_of_many_cylinders_is_shown_and_has_the_strongest_resonance() {
+fn the_first_major_order_of_many_cylinders_is_shown_and_has_the_highest_peak() {
     let study = TorsionStudy::new(&many_in_line(14), &[]).expect("a study");
     let answer = pages::text(&study.answer(), Format::PLAIN);
-    assert!(answer.contains("order 14 has the strongest") && answer.contains("707"), "{answer}");
+    assert!(answer.contains("order 14 has the highest peak") && answer.contains("707"), "{answer}");
     assert!(answer.contains("of 14 are shown"), "{answer}");
 }
 

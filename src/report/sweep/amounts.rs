@@ -10,6 +10,9 @@ use crate::proof::Planar;
 use crate::report::texts::sweep as text;
 use crate::sweep::{Amplitude, Amplitudes, Envelope, Multiples, Parameter, Sweep, SweptEngine};
 
+/// Decimals that differ by less than this part are shown alike.
+pub(super) const ALIKE: f64 = 1e-9;
+
 /// A side of what an engine fits into.
 pub(super) type Side = fn(&Envelope) -> Option<f64>;
 

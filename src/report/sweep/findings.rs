@@ -1,6 +1,6 @@
 //! What does a sweep find of one order: where it is zero, where greatest, where least?
 
-use super::amounts::place;
+use super::amounts::{ALIKE, place};
 use super::plots::amplitudes;
 use crate::page::Text;
 use crate::proof::Planar;
@@ -8,8 +8,6 @@ use crate::sweep::{Amplitude, Sweep, SweptEngine, ZeroSet, Zeros};
 
 /// More values than this are not listed in a sentence or a cell.
 const MOST_LISTED: usize = 4;
-/// Decimals that differ by less than this part are shown alike.
-pub(super) const ALIKE: f64 = 1e-9;
 
 /// What the points say of the largest force, or the largest moment, of one order.
 pub(super) struct Finding<'a> {
