@@ -264,9 +264,9 @@ fn no_line_of_latex_ends_between_a_sign_and_its_number() {
     for layout in [ALL_EFFECTS, "reports/examples/v8-gas/layout.toml"] {
         for question in ["report", "loads"] {
             let page = lines(&[question, layout, "--format", "latex"]);
-            let prose = page.lines().filter(|line| !line.starts_with("\\node"));
+            let mut prose = page.lines().filter(|line| !line.starts_with("\\node"));
             assert!(prose.clone().any(|line| line.contains("$\\approx$~")));
-            assert_eq!(prose.filter(|line| line.contains("$\\approx$ ")).next(), None, "{question} {layout}");
+            assert_eq!(prose.find(|line| line.contains("$\\approx$ ")), None, "{question} {layout}");
         }
     }
 }

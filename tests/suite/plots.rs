@@ -350,11 +350,11 @@ fn a_legend_has_room_for_its_names_in_each_language() {
     let figure = Polar::new("Links", "Force in N", curves.to_vec()).figure();
     let german = Language::De.picture(&Picture { name: "links".to_owned(), caption: "".into(), figure }).figure;
     let at = |name: &str| {
-        let places = german.marks.iter().filter_map(|mark| match mark {
+        let mut places = german.marks.iter().filter_map(|mark| match mark {
             Mark::Text { at, text, .. } if text == name => Some(at.re),
             _ => None,
         });
-        places.last().unwrap_or_else(|| panic!("no {name}"))
+        places.next_back().unwrap_or_else(|| panic!("no {name}"))
     };
     // The first name, 21 mm long, and the sample of the second curve.
     assert!(at("Nebenpleuel 5") - at("Nebenpleuel 1") > 21.0 + 10.0);
