@@ -350,7 +350,7 @@ fn a_series_takes_the_rod_ratio_of_the_numbers_of_its_claim() {
 #[test]
 fn a_page_of_claims_says_that_formulas_and_loads_are_compared_in_decimals() {
     let page = text(&report::claims_page(&claims(&claim("I4", "no free moment")).expect("it reads")), Format::GITHUB);
-    assert!(page.contains("except values in newtons, loads and formulas, which are compared in decimals."), "{page}");
+    assert!(page.contains("except values in newtons, loads, and formulas that are compared angle by angle: these are compared in decimals."), "{page}");
 }
 
 /// The words of the program have German; the message of an error stays, with the numbers and the signs of TOML in it.

@@ -182,7 +182,7 @@ fn sections(engine: &Engine) -> Vec<EffectRow> {
     let positions = if has_bearings { "positions given" } else { "no positions given" };
     vec![
         EffectRow { name: "main bearings", inside: has_bearings, why: positions.into(), group: None },
-        asked("gas", effects.gas, engine.gas().is_some(), &|| torque::torque(engine).is_ok()),
+        asked("gas", effects.gas, engine.gas().is_some(), &|| torque::classes_up_to(engine, 1).is_ok()),
         asked("torsion of the crankshaft", effects.torsion, engine.torsion().is_some(), &|| {
             TorsionStudy::new(engine, &[]).is_ok()
         }),
