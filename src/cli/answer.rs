@@ -12,7 +12,7 @@ use super::layouts::shown;
 use super::measures::Measures;
 use super::pages::{PageArgs, formats};
 use super::tables::{Tables, Wanted};
-use super::{tables, verify, write};
+use super::{tables, verify};
 
 /// What a person may say of an answer that is a page or data.
 #[derive(clap::Args)]
@@ -103,19 +103,6 @@ impl Answer {
             None => None,
         };
         self.tables.wanted(question, format, self.page.measures(), self.page.folder())
-    }
-
-    /// Says where the data are that an option asks for, if another table is written alone.
-    ///
-    /// # Errors
-    /// See [`Answer::wanted`].
-    pub fn tells_in_table(&self, question: &'static str, option: &str, table: &str) -> Result<(), Failure> {
-        if self.wanted(question)?.is_some_and(|wanted| wanted.leaves_out(table)) {
-            write::warn(&format!(
-                "what {option} asks for is in the table `{table}`, which is not written: add --table {table}"
-            ));
-        }
-        Ok(())
     }
 
     /// The format that is named, or that of the file to write.

@@ -50,8 +50,8 @@ impl Compare {
             if !self.value.is_empty() && (self.json || self.answer.is_document()) {
                 write::warn(NO_VALUES);
             }
-            if !self.value.is_empty() {
-                self.answer.tells_in_table("compare", "--value", "engines")?;
+            if let Some(wanted) = self.answer.wanted("compare")?.filter(|_| !self.value.is_empty()) {
+                wanted.tell_what_is_in("engines", "--value");
             }
             let values = ValuesStudy::beside(named, &self.value);
             Ok(CompareStudy { engines: compared, values })

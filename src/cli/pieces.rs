@@ -51,6 +51,11 @@ impl Pieces {
         self.shard.as_deref().map(|text| Shard::parse(text).map_err(Failure::misuse)).transpose()
     }
 
+    /// See [`are_kept_apart`].
+    pub fn are_kept_apart(&self, output: Option<&Path>) -> Result<(), Failure> {
+        are_kept_apart(self.resume.as_deref(), output)
+    }
+
     /// The file that several are merged into, where that is one of pieces again.
     pub fn merged_into_one<'a>(&self, output: Option<&'a Path>) -> Option<&'a Path> {
         merged_into_one(&self.merge, output)
@@ -80,12 +85,6 @@ impl Pieces {
     /// Writes the whole table: from the files that are merged, from the file that is gone on with, or as it is computed.
     pub fn write(&self, stream: &Stream, question: &Question, wanted: &Wanted) -> Result<(), Failure> {
         let kept = match &self.resume {
-            Some(path) if wanted.is_into(path) => {
-                let path = shown(path);
-                return Err(Failure::misuse(format!(
-                    "--resume and --output both name `{path}`; the table needs a file of its own"
-                )));
-            }
             Some(path) => {
                 keep(stream, question, Shard::WHOLE, path, self.threads())?;
                 std::slice::from_ref(path)
@@ -124,6 +123,22 @@ impl Pieces {
         });
         bar.finish_and_clear();
         outcome
+    }
+}
+
+/// Refuses to write an answer over the pieces that are kept.
+pub fn are_kept_apart(resume: Option<&Path>, output: Option<&Path>) -> Result<(), Failure> {
+    let (Some(kept), Some(written)) = (resume, output) else { return Ok(()) };
+    // `./pieces` is `pieces`; what cannot be resolved is compared as it stands.
+    let place = |path: &Path| std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    match place(kept) == place(written) {
+        false => Ok(()),
+        true => {
+            let path = shown(kept);
+            Err(Failure::misuse(format!(
+                "--resume and --output both name `{path}`; the answer needs a file of its own"
+            )))
+        }
     }
 }
 

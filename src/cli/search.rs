@@ -87,13 +87,13 @@ const NO_SIZES: &str = "the document has moments in m r ω² c a alone; --format
 impl Search {
     /// Searches, prints the front, and writes the page into the folder.
     pub fn run(&self) -> Result<(), Failure> {
-        self.answer.wanted("search")?;
-        if self.torsion {
-            self.answer.tells_in_table("search", "--torsion", "firing_orders")?;
+        if let Some(wanted) = self.answer.wanted("search")?.filter(|_| self.torsion) {
+            wanted.tell_what_is_in("firing_orders", "--torsion");
         }
+        pieces::are_kept_apart(self.resume.as_deref(), self.answer.output())?;
         let problem = self.problem()?;
         if self.mode.is_given() && !self.torsion && self.minor_orders.is_empty() {
-            return Err(Failure::new(
+            return Err(Failure::misuse(
                 "--mode-shape weighs the firing stars of firing orders; add --torsion or --minor-orders",
             ));
         }

@@ -72,9 +72,10 @@ impl Sweep {
             return self.streamed(|stream, question| self.pieces.keep(stream, question, shard, output));
         }
         let wanted = self.answer.wanted("sweep")?;
-        if !self.value.is_empty() {
-            self.answer.tells_in_table("sweep", "--value", "points")?;
+        if let Some(wanted) = wanted.as_ref().filter(|_| !self.value.is_empty()) {
+            wanted.tell_what_is_in("points", "--value");
         }
+        self.pieces.are_kept_apart(self.answer.output())?;
         if let Some(output) = self.pieces.merged_into_one(self.answer.output()) {
             return self.streamed(|_, question| self.pieces.merge(question, output));
         }

@@ -95,16 +95,15 @@ impl Wanted<'_> {
         grows && is_one_file && self.table.is_none_or(|table| table == main)
     }
 
-    /// Whether it is written into this file.
-    pub fn is_into(&self, path: &Path) -> bool {
-        self.output == Some(path)
-    }
-
-    /// Whether another table than this one is written alone.
-    pub fn leaves_out(&self, table: &str) -> bool {
+    /// Says where the data are that an option asks for, if another table is written alone.
+    pub fn tell_what_is_in(&self, table: &str, option: &str) {
         let is_one_file = self.output.is_none_or(|path| ends_in(path, self.format.ending()));
         let first = tables_of(self.question).first().filter(|_| is_one_file && !self.format.holds_several());
-        self.table.or(first.copied()).is_some_and(|alone| alone != table)
+        if self.table.or(first.copied()).is_some_and(|alone| alone != table) {
+            write::warn(&format!(
+                "what {option} asks for is in the table `{table}`, which is not written: add --table {table}"
+            ));
+        }
     }
 
     /// Writes a table that `fill` fills, some rows at a time; `like` has its columns.

@@ -253,19 +253,13 @@ fn shards_of_layouts_that_name_other_pressures_are_of_another_question() {
     let told = String::from_utf8_lossy(&refused.stderr);
     assert!(!refused.status.success() && told.contains("another question"), "{told}");
     let both = file("both.csv");
-    let one = call(&[
-        "sweep",
-        "V6-60-shared",
-        "--bank-angle",
-        "0..9:1",
-        "--format",
-        "csv",
-        "--resume",
-        &both,
-        "--output",
-        &both,
-    ]);
-    assert_eq!(one.status.code(), Some(2), "{}", String::from_utf8_lossy(&one.stderr));
+    let same = format!("{}/./both.csv", folder.to_str().expect("a path"));
+    let sweep = ["sweep", "V6-60-shared", "--bank-angle", "0..9:1"];
+    let search = ["search", "--cylinders", "4", "--cycle", "two-stroke"];
+    for asked in [&sweep[..], &search] {
+        let one = call(&[asked, &["--format", "csv", "--resume", &both, "--output", &same]].concat());
+        assert_eq!(one.status.code(), Some(2), "{}", String::from_utf8_lossy(&one.stderr));
+    }
 }
 
 #[test]
