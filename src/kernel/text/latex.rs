@@ -13,10 +13,16 @@ pub(super) fn quoted(text: &str) -> String {
 
 /// A text as it is written so, with places where a line may end in words, such as addresses, that are as long as a line.
 pub fn breakable(text: &str, written: impl Fn(&str) -> String) -> String {
-    if text.split(' ').all(|word| word.len() <= LONGEST_WORD) {
-        return written(text);
+    let is_long = |word: &&str| word.chars().count() > LONGEST_WORD;
+    let (mut out, mut rest) = (String::new(), text);
+    // What stands between long words is written as a whole: it may hold formulas.
+    while let Some(word) = rest.split(' ').find(is_long) {
+        let (before, after) = rest.split_once(word).unwrap_or((rest, ""));
+        out.push_str(&written(before));
+        out.push_str(&word.split_inclusive(ENDS_OF_PARTS).map(&written).collect::<Vec<_>>().join("\\allowbreak{}"));
+        rest = after;
     }
-    text.split_inclusive(ENDS_OF_PARTS).map(written).collect::<Vec<_>>().join("\\allowbreak{}")
+    out + &written(rest)
 }
 
 fn in_braces(text: &str) -> String {
