@@ -228,6 +228,10 @@ fn least(sweep: &Sweep, largest: &dyn Fn(&SweptEngine) -> f64) -> Vec<PointMark>
     let alike = points().filter(|point| largest(point) - lowest <= ALIKE * most);
     let places = alike.filter_map(|point| Some((float(point.values.get(1)?), float(point.values.first()?))));
     let mut dots: Vec<PointMark> = places.map(|at| PointMark::dot(at, "").of("least on the grid")).collect();
+    // A value that is the least everywhere, or nearly, has no place.
+    if dots.len() > MOST_MARKS {
+        dots.clear();
+    }
     if let Some(first) = dots.first_mut() {
         *first = first.clone().valued(lowest);
     }
