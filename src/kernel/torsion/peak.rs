@@ -12,14 +12,14 @@ pub fn beside(row: &[f64], at: usize) -> [f64; 2] {
     [row[at.saturating_sub(1)], row[(at + 1).min(row.len() - 1)]]
 }
 
-/// A peak whose points are lower than this part of the highest one is not refined.
+/// A peak whose points are lower than this part of the highest one is not refined; of values below 0 the highest is this part of the others.
 const LOWER: f64 = 0.9;
 
 /// The largest value between two ends, and where it is: the peaks of this many points, each then refined.
 pub fn highest(low: f64, high: f64, points: usize, of: &dyn Fn(f64) -> f64) -> (f64, f64) {
     let values: Vec<f64> = (0..=points).map(|index| of(low + (high - low) * index as f64 / points as f64)).collect();
     let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    highest_beside([low, high], &values, top.min(LOWER * top), of)
+    highest_beside([low, high], &values, (LOWER * top).min(top / LOWER), of)
 }
 
 /// The same where the values of points at equal distances are known: of the peaks that are no lower than this.

@@ -3,7 +3,7 @@
 use super::study::TorsionStudy;
 use super::{amounts, damped_tables as damped, gears, plots, tables, words};
 use crate::engine::Engine;
-use crate::page::{Block, Document, Number, Picture, Table, Text, phrase};
+use crate::page::{Block, Document, Picture, Table, Text, phrase};
 use crate::report::texts::torsion as text;
 
 /// The short answer: what shakes, then the first modes and the strongest orders.
@@ -26,7 +26,7 @@ pub(super) fn answer(study: &TorsionStudy) -> Document {
         let command = Text::code("crankstar torsion --output");
         answer_page.push(Block::Note(match study.highest_speed() {
             None => text::shown(shown, orders, command),
-            Some(speed) => text::shown_below(shown, orders, Number::Decimal(speed), command),
+            Some(speed) => text::shown_below(shown, orders, amounts::given_rpm(speed), command),
         }));
     }
     answer_page
