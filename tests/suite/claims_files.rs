@@ -403,7 +403,7 @@ fn one_interval_and_one_order_are_told_in_the_singular() {
         text(&report::claims_answer(&claims(&claim(layout, says)).expect("it reads")), Format::GITHUB)
     };
     assert!(told("I1", "fires evenly").contains("The interval is 720°."));
-    assert!(told("I6", "every order vanishes").contains("this one remains: 6;"));
+    assert!(told("I6", "every order vanishes").contains("this one of each period remains: 6;"));
     assert!(told("I2-180", "orders 1 and 2 vanish").contains("these remain: 1, 2;"));
 }
 

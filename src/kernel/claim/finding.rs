@@ -155,6 +155,8 @@ pub struct Witness {
     pub weights: Vec<Weight>,
     /// Their masses in kilograms at the crank radius; none where the layout gives no numbers.
     pub masses: Option<Vec<f64>>,
-    /// The crankshaft's mass with them in kilograms.
+    /// The mass of all crankshafts with them in kilograms.
     pub crankshaft_mass: Option<f64>,
+    /// How many crankshafts there are.
+    pub crankshafts: usize,
 }

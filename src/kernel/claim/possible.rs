@@ -165,5 +165,5 @@ fn witness(engine: &Engine, subject: &ComparableEngine, claimed: &Possible, vect
     let masses: Option<Vec<f64>> = weights.iter().map(|weight| weight.mass_at_crank_radius(subject)).collect();
     let bare = engine.crankshaft_mass().map(|mass| numbers::float(&mass));
     let crankshaft_mass = bare.zip(masses.as_ref()).map(|(bare, masses)| bare + masses.iter().sum::<f64>());
-    Witness { weights, masses, crankshaft_mass }
+    Witness { weights, masses, crankshaft_mass, crankshafts: engine.crankshafts() }
 }

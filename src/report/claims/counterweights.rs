@@ -19,8 +19,8 @@ pub(super) fn found(found: &Witness, status: &Status) -> Text {
         false => text::counterweights(Text::joined(each, "; ")),
     };
     match found.crankshaft_mass {
-        Some(mass) if is_undecided => text::crankshaft_mass_undecided(told, kilograms(mass)),
-        Some(mass) => text::crankshaft_mass_then(told, kilograms(mass)),
+        Some(mass) if is_undecided => text::crankshaft_mass_undecided(told, found.crankshafts == 1, kilograms(mass)),
+        Some(mass) => text::crankshaft_mass_then(told, found.crankshafts == 1, kilograms(mass)),
         None => told,
     }
 }
