@@ -27,8 +27,8 @@ pub struct Firing {
     pub cycle: Cycle,
     /// One firing a cylinder, angles rising from 0.
     pub shots: Vec<Shot>,
-    /// Whole turns of the crank before the revolution in which the first of them fires: 1 where the angles that are given say so.
-    pub late: BigRational,
+    /// The revolution of the cycle in which the first of them fires, from 0: 1 where the angles that are given say so.
+    pub first_revolution: BigRational,
 }
 
 /// What is wrong with so many firing angles, and what would be right.
@@ -75,7 +75,7 @@ impl Firing {
             angle = cycle.turns();
         }
         if angle == cycle.turns() {
-            return Ok(Firing { cycle, shots, late: BigRational::zero() });
+            return Ok(Firing { cycle, shots, first_revolution: BigRational::zero() });
         }
         let names: Vec<&str> = order.iter().map(|&index| cylinders[index].name.as_str()).collect();
         let needed = degrees(&angle);
@@ -107,8 +107,9 @@ impl Firing {
         let revolutions = cycle.turns();
         let within_cycle = |angle: &BigRational| angle - (angle / &revolutions).floor() * &revolutions;
         // Angles that count as the throws are drawn say in which revolution the first cylinder fires too.
-        let late = fired.first().map(|&index| first - cylinders[index].top_dead_centre().turns());
-        let late = late.filter(BigRational::is_integer).map_or_else(BigRational::zero, |late| within_cycle(&late));
+        let revolution = fired.first().map(|&index| first - cylinders[index].top_dead_centre().turns());
+        let first_revolution =
+            revolution.filter(BigRational::is_integer).map_or_else(BigRational::zero, |turns| within_cycle(&turns));
         let mut within = Vec::with_capacity(angles.len());
         for (index, angle) in fired.into_iter().zip(angles) {
             let angle = angle - first;
@@ -120,14 +121,14 @@ impl Firing {
             }
             within.push((index, within_cycle(&angle)));
         }
-        Ok(Firing { late, ..Firing::sorted(within, cycle) })
+        Ok(Firing { first_revolution, ..Firing::sorted(within, cycle) })
     }
 
     fn sorted(angles: Vec<(usize, BigRational)>, cycle: Cycle) -> Self {
         let shot = |(cylinder, angle)| Shot { cylinder, angle };
         let mut shots: Vec<Shot> = angles.into_iter().map(shot).collect();
         shots.sort_by(|a, b| (&a.angle, a.cylinder).cmp(&(&b.angle, b.cylinder)));
-        Firing { cycle, shots, late: BigRational::zero() }
+        Firing { cycle, shots, first_revolution: BigRational::zero() }
     }
 }
 

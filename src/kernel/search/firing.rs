@@ -92,7 +92,7 @@ pub(super) fn even(order: &[usize], cycle: Cycle) -> Firing {
         cylinder,
         angle: &interval * BigRational::from_integer(step.into()),
     };
-    Firing { cycle, shots: order.iter().enumerate().map(shot).collect(), late: BigRational::default() }
+    Firing { cycle, shots: order.iter().enumerate().map(shot).collect(), first_revolution: BigRational::default() }
 }
 
 /// All orders in which cylinders can fire that may do so at these steps.

@@ -40,7 +40,7 @@ fn fires(engine: &Engine) -> Result<Vec<BigRational>, Missing> {
             _ => Err(Missing::Firing),
         };
     };
-    let first = firing.shots.first().map_or_else(|| top(0), |shot| top(shot.cylinder) + &firing.late);
+    let first = firing.shots.first().map_or_else(|| top(0), |shot| top(shot.cylinder) + &firing.first_revolution);
     let mut angles = vec![first.clone(); cylinders.len()];
     for shot in &firing.shots {
         angles[shot.cylinder] = &first + &shot.angle;

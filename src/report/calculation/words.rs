@@ -2,7 +2,6 @@
 
 use super::super::mechanism_words;
 use super::super::residual::{group_words, orders_in_words};
-use super::super::torsion::TorsionStudy;
 use super::inputs;
 use crate::engine::{Engine, Measure};
 use crate::loads::{Arm, Loads};
@@ -10,7 +9,7 @@ use crate::order::MassGroup;
 use crate::page::{Table, Text};
 use crate::proof::Quantity;
 use crate::report::texts::loads as text;
-use crate::{torque, verdict};
+use crate::{firing, torque, verdict};
 
 /// What every number rests on.
 pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
@@ -184,7 +183,7 @@ fn sections(engine: &Engine) -> Vec<EffectRow> {
         EffectRow { name: "main bearings", inside: has_bearings, why: positions.into(), group: None },
         asked("gas", effects.gas, engine.gas().is_some(), &|| torque::classes_up_to(engine, 1).is_ok()),
         asked("torsion of the crankshaft", effects.torsion, engine.torsion().is_some(), &|| {
-            TorsionStudy::new(engine, &[]).is_ok()
+            firing::firing_of(engine).is_ok()
         }),
     ]
 }
