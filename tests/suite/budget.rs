@@ -11,7 +11,7 @@ use crate::support::rooms;
 const BUDGET: [(&str, usize); 35] = [
     ("accuracy", 1660),
     ("beam", 330),
-    ("claim", 5470),
+    ("claim", 5475),
     ("classroom", 1770),
     ("cli", 5210),
     ("engine", 4295),
@@ -39,7 +39,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("stars", 650),
     ("sweep", 2445),
     ("table", 1500),
-    ("text", 515),
+    ("text", 520),
     ("torque", 1225),
     ("torsion", 945),
     ("verdict", 1860),

@@ -53,7 +53,7 @@ pub(super) fn evenness(engine: &Engine, cycle: Option<Cycle>, known: Option<&Int
     Some(Evenness { longest: turns(longest), shortest: turns(shortest), of_the_file: false })
 }
 
-/// When the cylinders fire by the file; without it each of the equally even orders that are the most even.
+/// When the cylinders fire by the file; without it each of the most even orders.
 pub fn most_even_firings(engine: &Engine, cycle: Option<Cycle>) -> Vec<Firing> {
     if let Some(firing) = engine.firing() {
         return vec![firing.clone()];

@@ -39,7 +39,7 @@ pub(super) fn cost(number: usize, case: &AccuracyCase, study: &Study) -> Picture
     }
     let caption = text::marks(title);
     let name = format!("{}-{number}", words::name(study.quantity).replace('_', "-"));
-    Picture { name, caption, figure: plot.figure() }
+    Picture::new(name, caption, plot.figure())
 }
 
 /// Decimal digits that an error, a part of the peak, leaves.

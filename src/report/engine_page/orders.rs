@@ -71,7 +71,7 @@ impl<'a> StarOf<'a> {
         };
         let caption = text::stars(self.title(), legend);
         let name = if self.pistons_alone { format!("order-{number}-pistons") } else { format!("order-{number}") };
-        Some(Picture { name, caption, figure })
+        Some(Picture::new(name, caption, figure))
     }
 }
 
@@ -81,7 +81,7 @@ fn has_offset_below_zero(engine: &Engine) -> bool {
     engine.mechanisms().iter().filter_map(|mechanism| mechanism.rod()).any(|rod| rod.offset.is_negative())
 }
 
-/// Whether all cylinders are alike, and their masses no unit: given so, as multiples.
+/// Whether all cylinders have one weight that is not 1.
 fn has_other_unit(engine: &Engine) -> bool {
     let mut weights = engine.cylinders().iter().map(Cylinder::weight);
     weights.next().is_some_and(|first| !first.is_one() && weights.all(|other| other == first))
