@@ -381,7 +381,7 @@ fn impossible_questions_are_answered_with_words() {
         ("--cylinders 3 --cycle two-stroke --minor-orders 1 --mode-shape 1,2.00001,7.3", 1, "round the mode shape"),
         ("--cylinders 3 --cycle two-stroke --minor-orders 1 --mode-shape 0,0,0", 1, "without deflection"),
         ("--cylinders 3 --cycle two-stroke --torsion --mode-shape 0,0,0", 1, "without deflection"),
-        ("--cylinders 3 --cycle two-stroke --mode-shape 1,2,3", 1, "add --torsion or --minor-orders"),
+        ("--cylinders 3 --cycle two-stroke --mode-shape 1,2,3", 2, "add --torsion or --minor-orders"),
         ("--cylinders 6 --cycle two-stroke --resume /dev/null/state", 1, "cannot write"),
     ];
     for (arguments, status, words) in questions {
