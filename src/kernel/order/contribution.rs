@@ -189,7 +189,11 @@ pub(super) fn geared(part: BigRational, speed: u32, exponent: usize) -> BigRatio
 
 /// A part of a vector: turned by its angle in the direct star, the other way in the reverse one.
 fn turned(at: &Turn, weight: &BigRational, part: &Term, sense: Sense) -> Term {
-    let angle = at + &sense.signed(part.angle.clone());
+    // Every point of a sweep comes here: no angle is copied to be negated.
+    let angle = match sense {
+        Sense::Direct => at + &part.angle,
+        Sense::Reverse => at - &part.angle,
+    };
     Term { angle, weight: fraction::times(weight, &part.weight) }
 }
 
