@@ -52,7 +52,7 @@ fn formula(line: &Line) -> Block {
 }
 
 /// What comes out: the largest values, what makes them up, order by order and through a revolution.
-pub(super) fn outcome(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>) -> Vec<Block> {
+pub(super) fn outcome(engine: &Engine, numbers: &Numbers, needed: Option<&Needed>, has_torque: bool) -> Vec<Block> {
     let loads = &numbers.loads;
     let mut blocks = vec![heading(1, "Numbers")];
     blocks.push(Block::List(largest::largest_lines(engine, numbers, Unit::as_read)));
@@ -60,7 +60,7 @@ pub(super) fn outcome(engine: &Engine, numbers: &Numbers, needed: Option<&Needed
     blocks.extend(ellipses(engine, loads));
     blocks.extend(drawn(engine, loads));
     blocks.push(heading(2, "Effects included"));
-    blocks.extend(effects(engine, loads, words::Sections::OfReport));
+    blocks.extend(effects(engine, loads, words::Sections::OfReport { has_torque }));
     blocks.extend(roll::turning(engine, loads));
     blocks.extend(main_bearings(engine, loads));
     blocks

@@ -9,7 +9,7 @@ use crate::order::MassGroup;
 use crate::page::{Table, Text};
 use crate::proof::Quantity;
 use crate::report::texts::loads as text;
-use crate::{firing, torque, verdict};
+use crate::{firing, verdict};
 
 /// What every number rests on.
 pub(super) fn assumptions(engine: &Engine, loads: &Loads) -> Vec<Text> {
@@ -150,7 +150,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads, page: Sections) -> Vec<Eff
     let corrected = corrected.then(|| given("corrected knuckle angles", "given: odd orders appear".into()));
     let sections = match page {
         Sections::None => Vec::new(),
-        Sections::OfReport => sections(engine),
+        Sections::OfReport { has_torque } => sections(engine, has_torque),
     };
     masses.chain(others).chain(speeds).chain(corrected).chain(sections).collect()
 }
@@ -160,16 +160,16 @@ pub(super) fn effects(engine: &Engine, loads: &Loads, page: Sections) -> Vec<Eff
 pub(super) enum Sections {
     /// None: the page is on the masses alone.
     None,
-    /// Those of a report.
-    OfReport,
+    /// Those of a report, which has the torque of the gas or says what it lacks.
+    OfReport { has_torque: bool },
 }
 
 /// What has a section of its own in a report, if it has numbers.
-fn sections(engine: &Engine) -> Vec<EffectRow> {
+fn sections(engine: &Engine, has_torque: bool) -> Vec<EffectRow> {
     let effects = engine.effects();
-    let asked = |name, asked: bool, given: bool, has_numbers: &dyn Fn() -> bool| {
+    let asked = |name, asked: bool, given: bool, has_numbers: bool| {
         let (inside, why) = match (asked, given) {
-            (true, true) if has_numbers() => (true, text::own_section()),
+            (true, true) if has_numbers => (true, text::own_section()),
             (true, true) => (false, text::own_section_says_why()),
             (true, false) => (false, "asked for, and not given".into()),
             (false, true) => (false, "given, and not asked for".into()),
@@ -181,10 +181,13 @@ fn sections(engine: &Engine) -> Vec<EffectRow> {
     let positions = if has_bearings { "positions given" } else { "no positions given" };
     vec![
         EffectRow { name: "main bearings", inside: has_bearings, why: positions.into(), group: None },
-        asked("gas", effects.gas, engine.gas().is_some(), &|| torque::classes_up_to(engine, 1).is_ok()),
-        asked("torsion of the crankshaft", effects.torsion, engine.torsion().is_some(), &|| {
-            firing::firing_of(engine).is_ok()
-        }),
+        asked("gas", effects.gas, engine.gas().is_some(), has_torque),
+        asked(
+            "torsion of the crankshaft",
+            effects.torsion,
+            engine.torsion().is_some(),
+            firing::firing_of(engine).is_ok(),
+        ),
     ]
 }
 

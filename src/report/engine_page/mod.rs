@@ -94,6 +94,8 @@ pub fn engine_page(subject: Contents) -> Document {
     let is_alike = engine.mechanisms().len() < 2 && engine.faster_crank().is_none();
     let firmness = is_alike.then(|| firmness::section(engine, judged.pistons.as_ref().unwrap_or(&judged.orders)));
     let motion = in_motion.then(|| moving::scene(engine, judged, family, weighing));
+    // Asked for in two places, and computed once.
+    let gas = engine.effects().gas.then(|| crate::torque::torque(engine));
     let page = text::Page {
         engine: engine.title().into(),
         title_block: title_block(engine).into(),
@@ -118,7 +120,7 @@ pub fn engine_page(subject: Contents) -> Document {
         numbers: match &numbers {
             None => Vec::new(),
             Some(Err(missing)) => lacking("Numbers", text::no_numbers(missing.to_string())),
-            Some(Ok(numbers)) => calculation::outcome(engine, numbers, needed),
+            Some(Ok(numbers)) => calculation::outcome(engine, numbers, needed, matches!(gas, Some(Ok(_)))),
         }
         .into(),
         remedies: match subject.remedy() {
@@ -127,7 +129,7 @@ pub fn engine_page(subject: Contents) -> Document {
             Some(Err(refused)) => lacking("Remedies", text::no_remedy(refused.to_string())),
         }
         .into(),
-        torque: torque_section(engine).into(),
+        torque: torque_section(engine, gas.as_ref()).into(),
         gas_and_inertia: firing_section(engine).into(),
         torsion: torsion_section(engine).into(),
         accuracy: accuracy.into_iter().flat_map(|case| accuracy_section(std::slice::from_ref(case))).collect(),

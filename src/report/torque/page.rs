@@ -2,6 +2,7 @@
 
 use super::{TorqueStudy, plots, settings, tables, words};
 use crate::engine::Engine;
+use crate::loads::Missing;
 use crate::page::{Block, Document, Fold, phrase};
 use crate::report::mechanism_words;
 use crate::report::texts::torque as text;
@@ -23,21 +24,19 @@ pub(super) fn answer(TorqueStudy { engine, torque }: &TorqueStudy) -> Document {
 }
 
 /// What the report of an engine shows of its torque, where the file asks for the gas; none where it does not.
-pub(in crate::report) fn torque_section(engine: &Engine) -> Vec<Block> {
-    if !engine.effects().gas {
-        return Vec::new();
-    }
+pub(in crate::report) fn torque_section(engine: &Engine, torque: Option<&Result<EngineTorque, Missing>>) -> Vec<Block> {
+    let Some(torque) = torque else { return Vec::new() };
     let heading = Block::Heading(1, "Torque of gas and inertia".into());
-    match crate::torque::torque(engine) {
+    match torque {
         Err(lack) => vec![heading, Block::Paragraph(phrase!("No torque: {}.", lack.to_string()))],
         Ok(torque) => {
-            let mut blocks = vec![heading, Block::List(words::answer(engine, &torque))];
-            blocks.extend(words::warnings(engine, &torque).into_iter().map(Block::Note));
-            blocks.push(plots::torque(&torque).into());
-            blocks.extend(by_orders(engine, &torque));
+            let mut blocks = vec![heading, Block::List(words::answer(engine, torque))];
+            blocks.extend(words::warnings(engine, torque).into_iter().map(Block::Note));
+            blocks.push(plots::torque(torque).into());
+            blocks.extend(by_orders(engine, torque));
             blocks.push(Block::Folded(Fold {
                 summary: "Gas: what is given and assumed".into(),
-                blocks: vec![settings::table(engine, &torque).into(), Block::List(words::assumptions(engine))],
+                blocks: vec![settings::table(engine, torque).into(), Block::List(words::assumptions(engine))],
             }));
             blocks
         }
