@@ -57,7 +57,8 @@ impl Extent {
         !apart && self.low.im <= other.high.im && other.low.im <= self.high.im
     }
 
-    /// Whether a point lies inside, edges included.
+    /// Whether a point lies inside, edges included. Plots ask it of every point for every place of a name.
+    #[inline]
     pub(in crate::page) fn contains(&self, point: Point) -> bool {
         (self.low.re..=self.high.re).contains(&point.re) && (self.low.im..=self.high.im).contains(&point.im)
     }
