@@ -144,8 +144,8 @@ impl Plain {
             text.push_str(&format!(
                 "\n[[cylinder]]\nname = {}\nthrow = {}\nbank = {}\nposition = {}\npin = {}\n",
                 quoted(&cylinder.name),
-                exact_number(&self.drawn(&cylinder.throw).degrees()),
-                exact_number(&signed(&self.drawn(&cylinder.bank))),
+                exact_number(&self.convention.as_written(&cylinder.throw).degrees()),
+                exact_number(&signed(&self.convention.as_written(&cylinder.bank))),
                 self.length(&cylinder.position),
                 cylinder.pin + 1,
             ));
@@ -154,14 +154,6 @@ impl Plain {
             }
         }
         text
-    }
-
-    /// An angle of the sense of rotation as the drawing has it.
-    fn drawn(&self, angle: &Turn) -> Turn {
-        match self.convention.rotation {
-            Rotation::Anticlockwise => angle.clone(),
-            Rotation::Clockwise => -angle,
-        }
     }
 
     fn length(&self, length: &BigRational) -> String {

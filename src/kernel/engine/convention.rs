@@ -3,7 +3,7 @@
 //! Inside, angles grow in the sense of rotation (theory of mechanisms, section 4): `α′ = σα`, `β′ = σβ`, σ = −1 for a crank that
 //! turns clockwise as drawn. Verdicts, lengths and shapes are those of either drawing.
 
-use num_rational::BigRational;
+use std::ops::Neg;
 
 use crate::exact::Turn;
 
@@ -37,8 +37,8 @@ pub struct Convention {
 }
 
 impl Convention {
-    /// An angle of the file in the sense of rotation; the other way it is the same step. In any unit.
-    pub fn in_the_sense_of_rotation(self, angle: BigRational) -> BigRational {
+    /// An angle of the file, or a length to its left, in the sense of rotation; the other way it is the same step. In any unit.
+    pub fn in_the_sense_of_rotation<T: Neg<Output = T>>(self, angle: T) -> T {
         match self.rotation {
             Rotation::Anticlockwise => angle,
             Rotation::Clockwise => -angle,
@@ -47,7 +47,7 @@ impl Convention {
 
     /// A direction in the sense of rotation as the file writes it.
     pub fn as_written(self, angle: &Turn) -> Turn {
-        Turn::new(self.in_the_sense_of_rotation(angle.turns().clone()))
+        self.in_the_sense_of_rotation(angle.clone())
     }
 
     /// The end from which the crank turns anticlockwise: from there the angles in the sense of rotation are those of a drawing.

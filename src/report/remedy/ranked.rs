@@ -3,7 +3,7 @@
 use num_traits::ToPrimitive;
 
 use super::super::calculation::Unit as Counted;
-use crate::engine::{Engine, Rotation};
+use crate::engine::Engine;
 use crate::loads::scale;
 use crate::numbers;
 use crate::page::{Block, Piece, Table, Text, Unit, number, phrase};
@@ -119,7 +119,7 @@ pub(super) fn over_speeds(remedy: &Remedy) -> Vec<Text> {
             Text::joined(remedy.speeds.iter().map(number::given), ", "),
             height.order,
             millimetres(up),
-            millimetres(as_drawn(remedy, sideways)),
+            millimetres(remedy.subject.engine().convention().in_the_sense_of_rotation(sideways)),
             largest([up, sideways]),
             largest([height.metres?, 0.0]),
             largest([0.0; 2]),
@@ -127,14 +127,6 @@ pub(super) fn over_speeds(remedy: &Remedy) -> Vec<Text> {
     };
     let placed: Vec<Text> = remedy.heights.iter().filter_map(place).collect();
     if placed.is_empty() && !speeds.is_empty() { vec![text::no_pair()] } else { placed }
-}
-
-/// A length to the side of angle 90° in the sense of rotation, to the left as the file draws it.
-fn as_drawn(remedy: &Remedy, sideways: f64) -> f64 {
-    match remedy.subject.engine().convention().rotation {
-        Rotation::Anticlockwise => sideways,
-        Rotation::Clockwise => -sideways,
-    }
 }
 
 /// A value without what is left of 0 by the roundings of numbers as large as another.
@@ -156,7 +148,7 @@ fn at_its_speed(remedy: &Remedy) -> Vec<Text> {
             Piece::Quantity(speed, Unit::PER_MINUTE),
             height.order,
             millimetres(up),
-            millimetres(as_drawn(remedy, sideways)),
+            millimetres(remedy.subject.engine().convention().in_the_sense_of_rotation(sideways)),
             millimetres(metres),
             moment(roll.peak(speed, [metres, 0.0])),
             moment(roll.peak(speed, [0.0; 2])),
