@@ -73,7 +73,7 @@ pub fn bearing_loads(engine: &Engine, orders: &[u32], method: Method) -> Result<
     let bearings: Vec<BearingLoad> = (0..engine.crankshafts()).flat_map(of_crank).collect();
     let largest = bearings.iter().map(|bearing| bearing.peak.value).fold(0.0, f64::max);
     let scale = super::scale(engine);
-    let is_loaded = largest > 0.0 && scale.as_ref().is_none_or(|scale| scale.force() > 0.0);
+    let is_loaded = largest > 0.0 && !scale.as_ref().is_some_and(Scale::is_at_rest);
     let is_worst = |&index: &usize| is_loaded && bearings[index].peak.value >= largest * (1.0 - EQUAL);
     let worst = (0..bearings.len()).filter(is_worst).collect();
     Ok(BearingLoads { method, bearings, parts: shares.into_known(), worst, scale })

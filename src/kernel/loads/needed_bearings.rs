@@ -10,7 +10,7 @@ use super::bearing::{BearingLoads, bearing_loads};
 use super::needed::{Bound, Choice, FOR_THE_REST, usual_orders, with_largest};
 use super::pin::{LoadOrder, PinLoad, PinLoads, pin_loads};
 use super::shares::Method;
-use super::{Missing, Tails};
+use super::{Missing, Scale, Tails};
 use crate::engine::Engine;
 use crate::motion::SLACK;
 
@@ -76,7 +76,7 @@ pub fn left_out_of_bearings(engine: &Engine, loads: &BearingLoads) -> Result<Opt
         |index: usize| looked_at(&others.bearings[index].orders) + rest(engine, &tails, loads, index, highest);
     let most = (0..loads.bearings.len()).map(of_bearing).fold(0.0, f64::max);
     let bound = Bound { most: (most * SLACK).next_up(), peak: (largest(loads) - most * SLACK).max(0.0) };
-    let is_at_rest = loads.scale.as_ref().is_some_and(|scale| scale.force() == 0.0);
+    let is_at_rest = loads.scale.as_ref().is_some_and(Scale::is_at_rest);
     Ok((most > 0.0 && !is_at_rest).then_some(bound))
 }
 

@@ -30,6 +30,11 @@ impl Scale {
         (&self.mass * &self.crank_radius).to_f64().unwrap_or(f64::INFINITY) * self.omega() * self.omega()
     }
 
+    /// Whether nothing moves, so that every load of the masses is 0.
+    pub fn is_at_rest(&self) -> bool {
+        self.force() == 0.0
+    }
+
     /// m r² ω² in newton-metres.
     pub fn torque(&self) -> f64 {
         self.force() * self.crank_radius.to_f64().unwrap_or(f64::INFINITY)

@@ -73,7 +73,7 @@ pub fn measure(engine: &Engine, places: &[Place], orders: &[u32]) -> Result<Desi
     let unit = engine.unit_mass() * radius;
     let arm = |position: &BigRational| position - engine.reference_plane();
     let newtons = loads.scale.as_ref().map_or(1.0, Scale::force);
-    if newtons == 0.0 {
+    if loads.scale.as_ref().is_some_and(Scale::is_at_rest) {
         return Err(OptimiseError::Still);
     }
     let (peaks, worst) = match engine.effects().gas {

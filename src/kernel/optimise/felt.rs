@@ -46,7 +46,7 @@ impl Felt {
     /// Those of an engine without counterweights; `loads` are of its masses.
     pub fn new(bare: &Engine, loads: BearingLoads) -> Result<Self, OptimiseError> {
         let unit = loads.scale.as_ref().map_or(1.0, Scale::force);
-        if unit == 0.0 {
+        if loads.scale.as_ref().is_some_and(Scale::is_at_rest) {
             return Err(OptimiseError::Still);
         }
         let turning = loads.bearings.iter().map(|bearing| Turning::of(bare, bearing.crank)).collect::<Vec<_>>();
