@@ -43,10 +43,10 @@ def compare(tree, paths, notes):
         elif has_evidence:
             notes.add("masses in kilograms, the speed and units: --engine compares them with those of a document of `loads`")
         kind, found = engine_of(own)
-        reference, of = engine_of(reference)
-        if has_evidence and reference == "classify":
+        told, of = engine_of(reference)
+        if has_evidence and told == "classify":
             demand(found.masses == "all" or not of.turning_masses, "the engine is another one: it has masses that turn, and numbers are those of all masses")
-        due = due_of(kind, found, reference, of)
+        due = due_of(kind, found, told, of)
         for key in ENGINE:
             if key in due:
                 same(key, found[key], due[key])

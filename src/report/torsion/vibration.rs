@@ -161,7 +161,7 @@ pub struct FoundDamper {
     pub best: DamperSetting,
     /// The largest torque in a shaft by this order near the first mode: with the best setting, with that of the layout.
     pub peaks: [f64; 2],
-    /// The same without the damper; none where nothing else damps the mode, and it has no bound.
+    /// The same without dampers; none where nothing else damps the mode, and it has no bound.
     pub without: Option<f64>,
 }
 
