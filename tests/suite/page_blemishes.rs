@@ -87,7 +87,8 @@ fn what_is_not_decided_has_its_bound_and_no_smallest_decimal_of_the_machine() {
     let [size, below] = [row[2], row[4]].map(|cell| cell.parse::<f64>().expect("a decimal"));
     assert!(row[1].is_empty() && below > 0.0 && below < 1e-18 && size > 1e-300 && size < below, "{row:?}");
     for more in [&["--format", "csv"][..], &["--json"]] {
-        let all = lines(&[&["loads", layout.as_str(), "--orders", "2"], more].concat());
+        // The name of the layout's file holds the number of this process, which may begin with 308.
+        let all = lines(&[&["loads", layout.as_str(), "--orders", "2"], more].concat()).replace(&layout, "");
         assert!(!all.contains("e-308"), "{all}");
     }
 }
