@@ -100,10 +100,15 @@ impl Figure {
                 "--digits has no effect on a drawing, whose labels have the figures that they have room for; omit it",
             ));
         }
-        if self.name.is_none() && self.output.is_some() {
-            return Err(Failure::misuse(
-                "--output needs the name of a figure, such as end-view; without --output the names are listed",
-            ));
+        let of_a_drawing = [
+            ("--output", self.output.is_some()),
+            ("--format", self.format.is_some()),
+            ("--standalone", self.standalone),
+        ];
+        if let Some((option, _)) = of_a_drawing.into_iter().find(|(_, is_given)| self.name.is_none() && *is_given) {
+            return Err(Failure::misuse(format!(
+                "{option} needs the name of a figure, such as end-view; without {option} the names are listed"
+            )));
         }
         let alone = self.alone()?;
         let figures = self.figures()?;

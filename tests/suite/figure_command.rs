@@ -93,6 +93,10 @@ fn a_list_of_names_is_no_file_and_says_where_it_is_empty() {
     let file = folder.join("list.svg");
     let told = fails(&["figure", "I4", "--output", file.to_str().expect("a path")], 2);
     assert!(told.contains("--output needs the name of a figure") && !file.exists(), "{told}");
+    for (option, more) in [("--format", &["--format", "tikz"][..]), ("--standalone", &["--standalone"])] {
+        let told = fails(&[&["figure", "I4"], more].concat(), 2);
+        assert!(told.contains(&format!("{option} needs the name of a figure")), "{told}");
+    }
     let open = folder.join("open.toml");
     let cylinder = |position: &str| format!("[[cylinder]]\nthrow = 0\nbank = 0\nposition = {position}\n");
     fs::create_dir_all(&folder).expect("a folder");

@@ -547,3 +547,14 @@ fn effects_are_included_where_their_numbers_stand_on_the_page() {
     let effects = loads.split("Effects included").nth(1).expect("a table");
     assert!(!effects.contains("| gas |") && !effects.contains("| main bearings |"), "{effects}");
 }
+
+#[test]
+fn a_peak_that_is_a_short_number_is_told_by_it_and_one_at_rest_as_a_multiple() {
+    let single = "[inline]\nthrows = [0]\n[mechanism]\nrod_ratio = 0.25\n";
+    let told = said("accuracy", single, &[]);
+    assert!(told.contains("Within 10⁻") && told.contains(" of 1.25 in multiples of m r ω²."), "{told}");
+    assert!(told.contains("Certain digits in multiples of m r² ω²: 0.63088388865920467195…"), "{told}");
+    let rest = "speed = 0\n[inline]\nthrows = [0, 180, 180, 0]\n[mechanism]\nreciprocating_mass = 1\ncrank_radius = 0.04\nrod_length = 0.14\n";
+    let told = said("accuracy", rest, &[]);
+    assert!(told.contains("Peak force, λ = 2/7: 1.19 m r ω².") && !told.contains("0 N"), "{told}");
+}

@@ -3,6 +3,7 @@
 use std::time::Duration;
 
 use num_rational::BigRational;
+use num_traits::ToPrimitive;
 
 use super::super::calculation;
 use crate::accuracy::{self, Method, Row, Study};
@@ -14,7 +15,9 @@ use crate::proof::Quantity;
 
 /// What a load is counted in, and how many of it are one multiple.
 pub(in crate::report) fn unit(engine: &Engine, quantity: Quantity) -> (Unit, f64) {
-    let calculation::Unit { unit, factor } = calculation::Unit::at(engine, loads::scale(engine).as_ref(), quantity);
+    // At rest every peak is 0, and only its multiple tells the methods apart.
+    let moving = loads::scale(engine).filter(|scale| !scale.is_at_rest());
+    let calculation::Unit { unit, factor } = calculation::Unit::at(engine, moving.as_ref(), quantity);
     (unit, factor)
 }
 
@@ -112,6 +115,9 @@ pub(super) fn power(value: f64) -> String {
 /// Decimal places of the ends of a peak.
 const PLACES: u32 = 40;
 
+/// Decimal places of a peak that are told.
+pub(super) const CUT: usize = 20;
+
 /// A number that is not negative with forty places, rounded down or up.
 pub(in crate::report) fn decimals(number: &BigRational, up: bool) -> String {
     let scaled = number * BigRational::from_integer(num_bigint::BigInt::from(10).pow(PLACES));
@@ -121,13 +127,26 @@ pub(in crate::report) fn decimals(number: &BigRational, up: bool) -> String {
     format!("{whole}.{fraction}")
 }
 
-/// The digits that both ends of a peak share, at most twenty places; none where they share none behind the point.
+/// The digits that both ends of a peak share, at most [`CUT`] places; none where they share none behind the point.
 pub(super) fn sure_digits(study: &Study) -> Option<String> {
     let ends = [decimals(&study.peak.low, false), decimals(&study.peak.high, true)];
     let [low, high] = &ends;
     let shared = low.bytes().zip(high.bytes()).take_while(|(one, other)| one == other).count();
     let point = low.find('.')?;
-    (shared > point + 1).then(|| low[..shared.min(point + 21)].to_owned())
+    (shared > point + 1).then(|| low[..shared.min(point + 1 + CUT)].to_owned())
+}
+
+/// The number of [`CUT`] places that both ends of a peak round to, and a power of ten that they are nearer to it than; none where they
+/// are further apart. Ends on both sides of 1.25 share only the digits 1.2.
+pub(super) fn rounded(study: &Study) -> Option<(String, i64)> {
+    let (low, high) = (&study.peak.low, &study.peak.high);
+    let ten = BigRational::from_integer(num_bigint::BigInt::from(10));
+    let near = ((low + high) / BigRational::from_integer(2.into()) * ten.pow(CUT as i32)).round() / ten.pow(CUT as i32);
+    let distance = (high - &near).max(&near - low).to_f64()?;
+    let power = distance.log10().floor() as i64 + 1;
+    let digits = decimals(&near, false);
+    (distance > 0.0 && power <= -(CUT as i64))
+        .then(|| (digits.trim_end_matches('0').trim_end_matches('.').to_owned(), power))
 }
 
 /// `1.23 µs`.

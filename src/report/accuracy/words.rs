@@ -49,10 +49,18 @@ pub(super) fn vanishing(study: &Study) -> Option<Text> {
     Some(text::below(study.quantity, methods::power(bound), multiple(study.quantity)))
 }
 
-/// The digits of a peak that are sure.
+/// The digits of a peak that are sure, or the number that it is nearest to.
 pub(super) fn sure_digits(study: &Study) -> Option<Text> {
-    let digits = methods::sure_digits(study).filter(|_| !study.rows.is_empty())?;
-    Some(phrase!("Certain digits in multiples of {}: {}…", multiple(study.quantity), digits))
+    if study.rows.is_empty() {
+        return None;
+    }
+    let (digits, multiple) = (methods::sure_digits(study), multiple(study.quantity));
+    let is_cut =
+        digits.as_deref().and_then(|digits| digits.split_once('.')).is_some_and(|(_, cut)| cut.len() == methods::CUT);
+    match methods::rounded(study).filter(|_| !is_cut) {
+        Some((number, power)) => Some(text::near(methods::power_of_ten(power), number, multiple)),
+        None => Some(phrase!("Certain digits in multiples of {}: {}…", multiple, digits?)),
+    }
 }
 
 /// What a designer wants to know of a load: its peak, the orders that are enough, the fastest method.
