@@ -287,6 +287,12 @@ fn metres_that_were_meant_as_millimetres_are_told_of_every_length_along_the_shaf
     let mount = |place| format!("[[mount]]\nstiffness = [1, 1, 1]\nplace = {place}\n");
     let mounted =
         block.to_owned() + &["[100, 0, 0]", "[0, 0.3, 0.2]", "[0.1, -0.3, 0.2]", "[0, 0.1, -0.3]"].map(mount).concat();
+    let weighed = format!(
+        "{vee}[mechanism]\nreciprocating_mass = 1\ncrank_radius = '40 mm'\nrod_length = '140 mm'\n[crankshaft]\nbalance_factor = 0.5\n\
+         counterweight_radius = '40 mm'\n"
+    );
+    let shaft = "[torsion]\ninertias = [1, 1, 1]\nstiffnesses = [100]\nrated_speed = '3000 rpm'\n\
+        [[torsion.shaft]]\nbetween = [2, 3]\nlength = '0.3 m'\nouter_diameter = '50 mm'\nshear_modulus = '80 GPa'\n";
     for (text, words) in [
         (format!("{vee}bank_offset = '20 m'\n"), "bank_offset is read as 20 m"),
         (format!("reference_plane = '80 m'\n{vee}"), "the reference plane is at 80 m"),
@@ -298,11 +304,16 @@ fn metres_that_were_meant_as_millimetres_are_told_of_every_length_along_the_shaf
         (vee.replace("'96", "'-96"), "spacing is below 0"),
         (vee.replace("'96 mm'", "80") + "[mechanism]\nstroke = '80 mm'\n", "the cylinders reach over 80 m"),
         (format!("{vee}{mounted}"), "place is read as 100 m"),
+        (format!("{weighed}web_offset = 20\n"), "web_offset is read as 20 m"),
+        (format!("{vee}{}", shaft.replace("'0.3 m'", "300")), "length is read as 300 m"),
+        (format!("{vee}{}", shaft.replace("'50 mm'", "50")), "outer_diameter is read as 50 m"),
+        (format!("{vee}{shaft}").replace("'3000 rpm'", "'3 rpm'"), "rated_speed is read as 3 rpm"),
     ] {
         let told = warnings(&text).join("\n");
         assert!(told.contains(words), "{text}: {told}");
     }
     assert_eq!(warnings(&format!("{vee}bank_offset = '20 mm'\n")), Vec::<String>::new());
+    assert_eq!(warnings(&format!("{vee}{shaft}")), Vec::<String>::new());
     assert_eq!(warnings(&format!("reference_plane = '-500 mm'\n{vee}")), Vec::<String>::new());
     assert_eq!(warnings(&format!("reference_plane = 50\n{}", vee.replace("'96 mm'", "1"))), Vec::<String>::new());
 }

@@ -67,6 +67,13 @@ const SHARE: Kind = Kind {
     asked: "is it in per cent? 50 % is 0.5",
 };
 
+/// What is read of a key: a value below 0 of one of `Positive` is refused, whatever its unit.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Sign {
+    Positive,
+    Either,
+}
+
 /// Largest pressures that engines have, in bar.
 pub const USUAL_PEAK_BAR: RangeInclusive<i64> = 5..=400;
 /// Where they have them, in degrees from the firing dead centre.
@@ -75,44 +82,45 @@ pub const USUAL_PEAK_DEGREES: RangeInclusive<i64> = -5..=40;
 /// A model engine of 5 mm of stroke and a beam engine of 3.7 m, a piston of a gram and the crosshead engine of 14 cylinders are within these;
 /// in thousandths of the base unit, and of either sign. 0 is always one.
 #[rustfmt::skip]
-const USUAL: &[(&str, Kind, i64, i64)] = &[
-    ("stroke", LENGTH, 2, 6_000),
-    ("crank_radius", LENGTH, 1, 3_000),
-    ("rod_length", LENGTH, 2, 20_000),
-    ("rod_centre", LENGTH, 0, 20_000),
-    ("pin_offset", LENGTH, 0, 2_000),
-    ("knuckle_radius", LENGTH, 1, 3_000),
-    ("link_length", LENGTH, 2, 20_000),
-    ("bore", LENGTH, 2, 4_000),
-    ("web_radius", LENGTH, 0, 5_000),
-    ("counterweight_radius", LENGTH, 0, 5_000),
-    ("radius", LENGTH, 0, 5_000),
-    ("spacing", OF_SPACING, 2, 10_000),
-    ("row_spacing", OF_SPACING, 2, 10_000),
-    ("bank_offset", OF_SPACING, 0, 2_000),
-    ("bank_offsets", OF_SPACING, 0, 2_000),
-    ("stagger", OF_SPACING, 0, 2_000),
-    ("place", LENGTH, 0, 50_000),
-    ("distance", OF_SPACING, 2, 20_000),
-    ("circumradius", OF_SPACING, 2, 20_000),
-    ("mass", MASS, 0, 100_000_000),
-    ("speed", SPEED, 10_000, 100_000_000),
-    ("peak_pressure", PRESSURE, 1_000 * *USUAL_PEAK_BAR.start(), 1_000 * *USUAL_PEAK_BAR.end()),
-    ("mean_pressure", PRESSURE, 10, 60_000),
-    ("balance_factor", SHARE, 0, 5_000),
-    ("rotating", SHARE, 0, 5_000),
-    ("reciprocating", SHARE, 0, 5_000),
-    ("rotating_and_half_reciprocating", SHARE, 0, 5_000),
+const USUAL: &[(&str, Kind, Sign, i64, i64)] = &[
+    ("stroke", LENGTH, Sign::Positive, 2, 6_000),
+    ("crank_radius", LENGTH, Sign::Positive, 1, 3_000),
+    ("rod_length", LENGTH, Sign::Positive, 2, 20_000),
+    ("rod_centre", LENGTH, Sign::Positive, 0, 20_000),
+    ("pin_offset", LENGTH, Sign::Either, 0, 2_000),
+    ("knuckle_radius", LENGTH, Sign::Positive, 1, 3_000),
+    ("link_length", LENGTH, Sign::Positive, 2, 20_000),
+    ("bore", LENGTH, Sign::Positive, 2, 4_000),
+    ("web_radius", LENGTH, Sign::Either, 0, 5_000),
+    ("web_offset", LENGTH, Sign::Either, 0, 2_000),
+    ("counterweight_radius", LENGTH, Sign::Positive, 0, 5_000),
+    ("radius", LENGTH, Sign::Positive, 0, 5_000),
+    ("spacing", OF_SPACING, Sign::Positive, 2, 10_000),
+    ("row_spacing", OF_SPACING, Sign::Either, 2, 10_000),
+    ("bank_offset", OF_SPACING, Sign::Either, 0, 2_000),
+    ("bank_offsets", OF_SPACING, Sign::Either, 0, 2_000),
+    ("stagger", OF_SPACING, Sign::Either, 0, 2_000),
+    ("place", LENGTH, Sign::Either, 0, 50_000),
+    ("distance", OF_SPACING, Sign::Either, 2, 20_000),
+    ("circumradius", OF_SPACING, Sign::Either, 2, 20_000),
+    ("length", LENGTH, Sign::Positive, 1, 60_000),
+    ("outer_diameter", LENGTH, Sign::Positive, 2, 3_000),
+    ("inner_diameter", LENGTH, Sign::Positive, 0, 3_000),
+    ("mass", MASS, Sign::Positive, 0, 100_000_000),
+    ("speed", SPEED, Sign::Positive, 10_000, 100_000_000),
+    ("rated_speed", SPEED, Sign::Positive, 10_000, 100_000_000),
+    ("peak_pressure", PRESSURE, Sign::Positive, 1_000 * *USUAL_PEAK_BAR.start(), 1_000 * *USUAL_PEAK_BAR.end()),
+    ("mean_pressure", PRESSURE, Sign::Positive, 10, 60_000),
+    ("balance_factor", SHARE, Sign::Positive, 0, 5_000),
+    ("rotating", SHARE, Sign::Positive, 0, 5_000),
+    ("reciprocating", SHARE, Sign::Positive, 0, 5_000),
+    ("rotating_and_half_reciprocating", SHARE, Sign::Positive, 0, 5_000),
 ];
-/// Of these keys a value below 0 is read; of the others it is refused, whatever its unit.
-#[rustfmt::skip]
-const SIGNED: [&str; 9] = [
-    "pin_offset", "web_radius", "row_spacing", "bank_offset", "bank_offsets", "stagger", "place", "distance", "circumradius",
-];
+
 /// What ends so is a mass: `piston_mass`.
 const MASS_ENDS: &str = "_mass";
 /// Tables whose keys are names of other things.
-const OTHERS: [&str; 4] = ["document", "values", "torsion", "flywheel"];
+const OTHERS: [&str; 3] = ["document", "values", "flywheel"];
 
 /// Mean piston speeds above this, in metres a second, are none: a racing engine has 27.
 const FASTEST: i64 = 40;
@@ -214,11 +222,11 @@ fn quantity(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
         return Some(LayoutError::new("spacing is below 0", right, Some(span)));
     }
     let name = if key.ends_with(MASS_ENDS) { "mass" } else { key };
-    let (_, kind, least, most) = USUAL.iter().find(|(known, ..)| *known == name)?;
+    let (_, kind, sign, least, most) = USUAL.iter().find(|(known, ..)| *known == name)?;
     let thousandths = |number: i64| BigRational::new(number.into(), 1000.into());
     let (least, most) = (thousandths(*least), thousandths(*most));
     let is_usual = |value: &BigRational| value.is_zero() || (value.abs() >= least && value.abs() <= most);
-    let is_read = |value: &BigRational| !value.is_negative() || SIGNED.contains(&name);
+    let is_read = |value: &BigRational| !value.is_negative() || *sign == Sign::Either;
     let value = (kind.read)(text).filter(|value| is_read(value) && !is_usual(value))?;
     let meant = kind.meant.iter().map(|unit| format!("{} {unit}", text.trim()));
     let meant = meant.into_iter().find(|text| (kind.read)(text).is_some_and(|value| is_usual(&value)));
