@@ -200,7 +200,21 @@ fn pieces(mark: &Mark, figure: &Figure) -> Vec<(String, Shape)> {
 fn written_text(at: Point, text: &str, letters: f64, height: f64, anchor: Anchor, more: &str) -> (String, Shape) {
     let (x, y) = (number(at.re), number(height - at.im + BASELINE * letters));
     let attributes = format!("class=\"{}\" text-anchor=\"{}\"{more}", class(FILL, Ink::Black), hanging(anchor));
-    (attributes, Shape::Element(format!("<text x=\"{x}\" y=\"{y}\""), Some(xml(text))))
+    (attributes, Shape::Element(format!("<text x=\"{x}\" y=\"{y}\""), Some(indexed(text, letters))))
+}
+
+/// The text with the index of `c_k` below its line.
+fn indexed(text: &str, letters: f64) -> String {
+    let [small, down, up] = [0.7, 0.2, -0.2].map(|part| number(part * letters));
+    let mut parts = text.split("c_k");
+    let mut out = parts.next().map_or_else(String::new, xml);
+    for after in parts {
+        let _ = write!(out, "c<tspan dy=\"{down}\" font-size=\"{small}\">k</tspan>");
+        if !after.is_empty() {
+            let _ = write!(out, "<tspan dy=\"{up}\">{}</tspan>", xml(after));
+        }
+    }
+    out
 }
 
 fn hanging(anchor: Anchor) -> &'static str {

@@ -204,7 +204,10 @@ fn turned_mounts_say_so() {
 }
 
 #[test]
-fn an_index_is_no_underscore_in_latex() {
+fn an_index_is_no_underscore_in_latex_nor_in_a_drawing() {
+    let drawn = lines(&["figure", "V2-90", "sweep:force-2", "--bank-angle", "0..180:10"]);
+    assert!(drawn.contains(">Force in m r ω² c<tspan") && !drawn.contains("c_k"), "{drawn}");
+
     for arguments in [
         &["compare", "I4", "V6-60-shared", "--format", "latex"][..],
         &["sweep", "V6-60-shared", "--bank-angle", "0..60:30", "--pin-split", "-60..60:60", "--format", "latex"],
