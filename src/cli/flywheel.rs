@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crankstar::file::parse_diagram;
+use crankstar::file::{self, parse_diagram};
 use crankstar::report::FlywheelStudy;
 
 use super::answer::Answer;
@@ -26,7 +26,10 @@ impl Flywheel {
     pub fn run(&self) -> Result<(), Failure> {
         self.answer.give("flywheel", self.json, || {
             let text = layouts::read_text(&self.file)?;
-            FlywheelStudy::new(parse_diagram(&layouts::shown(&self.file), &text)?).map_err(Failure::new)
+            let name = layouts::shown(&self.file);
+            let diagram = parse_diagram(&name, &text)?;
+            layouts::warn(file::warnings_of_values(&name, &text));
+            FlywheelStudy::new(diagram).map_err(Failure::new)
         })
     }
 }

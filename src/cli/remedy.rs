@@ -140,7 +140,10 @@ impl Remedy {
     }
 
     fn request(&self, engine: &Engine, orders: Vec<u32>) -> Result<Request, Failure> {
-        let plane = |text: &String| remedy::plane_of(engine, text).map_err(|right| misread("--planes", text, right));
+        let plane = |text: &String| {
+            warn_of("position", text, Some(engine));
+            remedy::plane_of(engine, text).map_err(|right| misread("--planes", text, right))
+        };
         let planes = match self.planes.as_slice() {
             [] => None,
             [first, second] => Some([plane(first)?, plane(second)?]),
@@ -175,10 +178,15 @@ fn misread(flag: &str, text: &str, right: impl Display) -> Failure {
     Failure::new(format!("{flag}: cannot read `{text}`: {right}"))
 }
 
-fn factor(flag: &str, text: &str) -> Result<BigRational, Failure> {
-    let key = flag.trim_start_matches('-').replace('-', "_");
-    if let Some(odd) = file::odd_value(&key, text) {
+/// Says what is odd about a value of an option.
+fn warn_of(key: &str, text: &str, engine: Option<&Engine>) {
+    if let Some(odd) = file::odd_value(key, text, engine) {
         write::warn(&format!("warning: {odd}"));
     }
+}
+
+fn factor(flag: &str, text: &str) -> Result<BigRational, Failure> {
+    let key = flag.trim_start_matches('-').replace('-', "_");
+    warn_of(&key, text, None);
     remedy::factor_of(text).map_err(|right| misread(flag, text, right))
 }

@@ -161,7 +161,7 @@ impl Ranges {
         let first = |one: &Parameter| format!("{} {}", one.range.value(0), one.range.unit()).trim().to_owned();
         let first: Vec<String> = parameters.iter().map(first).collect();
         let values: Vec<_> = parameters.iter().zip(&first).map(|(one, text)| (&one.key, text.as_str())).collect();
-        for odd in values.iter().filter_map(|(key, text)| file::odd_value(&key.to_string(), text)) {
+        for odd in values.iter().filter_map(|(key, text)| file::odd_value(&key.to_string(), text, None)) {
             write::warn(&format!("warning: {odd}"));
         }
         // What is wrong with the engine is reported by whoever reads it.

@@ -291,6 +291,8 @@ fn metres_that_were_meant_as_millimetres_are_told_of_every_length_along_the_shaf
         "{vee}[mechanism]\nreciprocating_mass = 1\ncrank_radius = '40 mm'\nrod_length = '140 mm'\n[crankshaft]\nbalance_factor = 0.5\n\
          counterweight_radius = '40 mm'\n"
     );
+    let balancer = "[[balancer]]\norder = 2\nsense = 'with'\nmass_radius = '0.005 kg m'\nangle = 180\n";
+    let twin = "[u]\nthrows = [0, 170]\nsense = 'against'\n";
     let shaft = "[torsion]\ninertias = [1, 1, 1]\nstiffnesses = [100]\nrated_speed = '3000 rpm'\n\
         [[torsion.shaft]]\nbetween = [2, 3]\nlength = '0.3 m'\nouter_diameter = '50 mm'\nshear_modulus = '80 GPa'\n";
     for (text, words) in [
@@ -302,7 +304,13 @@ fn metres_that_were_meant_as_millimetres_are_told_of_every_length_along_the_shaf
             "the cylinders stand from -0.048 m to 0.048 m: is the unit right?",
         ),
         (vee.replace("'96", "'-96"), "spacing is below 0"),
-        (vee.replace("'96 mm'", "80") + "[mechanism]\nstroke = '80 mm'\n", "the cylinders reach over 80 m"),
+        (vee.replace("'96 mm'", "80") + "[mechanism]\nstroke = '80 mm'\n", "spacing is read as 80 m"),
+        (format!("{vee}bank_offset = 12\n"), "such as \"12 mm\""),
+        (format!("{vee}{}", mounted.replace("centre = [0", "centre = [100")), "centre is read as 100 m"),
+        (format!("{weighed}{balancer}position = 0\nheight = 80\n"), "height is read as 80 m"),
+        (format!("{weighed}{balancer}position = 90\n"), "position is read as 90 m"),
+        (format!("{twin}distance = 0\n"), "distance is 0"),
+        (format!("{twin}distance = -5\n"), "distance is below 0"),
         (format!("{vee}{mounted}"), "place is read as 100 m"),
         (format!("{weighed}web_offset = 20\n"), "web_offset is read as 20 m"),
         (format!("{vee}{}", shaft.replace("'0.3 m'", "300")), "length is read as 300 m"),
@@ -314,6 +322,10 @@ fn metres_that_were_meant_as_millimetres_are_told_of_every_length_along_the_shaf
     }
     assert_eq!(warnings(&format!("{vee}bank_offset = '20 mm'\n")), Vec::<String>::new());
     assert_eq!(warnings(&format!("{vee}{shaft}")), Vec::<String>::new());
+    // Without a unit these count crank radii and spacings.
+    assert_eq!(warnings(&format!("{twin}distance = 25\n")), Vec::<String>::new());
+    assert_eq!(warnings(&vee.replace("'96 mm'", "80")), Vec::<String>::new());
+    assert_eq!(warnings(&format!("{weighed}{balancer}position = 0\nheight = '80 mm'\n")), Vec::<String>::new());
     assert_eq!(warnings(&format!("reference_plane = '-500 mm'\n{vee}")), Vec::<String>::new());
     assert_eq!(warnings(&format!("reference_plane = 50\n{}", vee.replace("'96 mm'", "1"))), Vec::<String>::new());
 }

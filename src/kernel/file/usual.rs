@@ -33,6 +33,16 @@ struct Kind {
     unit: &'static str,
     meant: &'static [&'static str],
     asked: &'static str,
+    alone: Alone,
+}
+
+/// What a number without a unit counts.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Alone {
+    BaseUnit,
+    /// Metres where positions are in metres.
+    Spacing,
+    CrankRadius,
 }
 
 const IS_THE_UNIT_RIGHT: &str = "is the unit right?";
@@ -42,12 +52,10 @@ const LENGTH: Kind = Kind {
     unit: " m",
     meant: &["mm", "cm", "in", "ft", "m"],
     asked: IS_THE_UNIT_RIGHT,
+    alone: Alone::BaseUnit,
 };
-/// A length that is one of the spacing where no unit is written.
-const OF_SPACING: Kind = Kind {
-    read: |text| units::length(text).ok().filter(|length| length.has_unit).map(|length| length.value),
-    ..LENGTH
-};
+const OF_SPACING: Kind = Kind { alone: Alone::Spacing, ..LENGTH };
+const OF_CRANK: Kind = Kind { alone: Alone::CrankRadius, ..LENGTH };
 const MASS: Kind =
     Kind { read: |text| units::mass(text).ok(), unit: " kg", meant: &["g", "oz", "lb", "kg", "t"], ..LENGTH };
 const SPEED: Kind =
@@ -65,6 +73,7 @@ const SHARE: Kind = Kind {
     unit: "",
     meant: &[],
     asked: "is it in per cent? 50 % is 0.5",
+    alone: Alone::BaseUnit,
 };
 
 /// What is read of a key: a value below 0 of one of `Positive` is refused, whatever its unit.
@@ -95,14 +104,20 @@ const USUAL: &[(&str, Kind, Sign, i64, i64)] = &[
     ("web_offset", LENGTH, Sign::Either, 0, 2_000),
     ("counterweight_radius", LENGTH, Sign::Positive, 0, 5_000),
     ("radius", LENGTH, Sign::Positive, 0, 5_000),
+    ("radius_of_gyration", LENGTH, Sign::Positive, 1, 10_000),
     ("spacing", OF_SPACING, Sign::Positive, 2, 10_000),
     ("row_spacing", OF_SPACING, Sign::Either, 2, 10_000),
     ("bank_offset", OF_SPACING, Sign::Either, 0, 2_000),
     ("bank_offsets", OF_SPACING, Sign::Either, 0, 2_000),
     ("stagger", OF_SPACING, Sign::Either, 0, 2_000),
     ("place", LENGTH, Sign::Either, 0, 50_000),
-    ("distance", OF_SPACING, Sign::Either, 2, 20_000),
-    ("circumradius", OF_SPACING, Sign::Either, 2, 20_000),
+    ("centre", LENGTH, Sign::Either, 0, 50_000),
+    ("point", LENGTH, Sign::Either, 0, 50_000),
+    ("position", OF_SPACING, Sign::Either, 0, 50_000),
+    ("height", OF_SPACING, Sign::Either, 0, 20_000),
+    ("offset", OF_SPACING, Sign::Either, 0, 20_000),
+    ("distance", OF_CRANK, Sign::Either, 2, 20_000),
+    ("circumradius", OF_CRANK, Sign::Either, 2, 20_000),
     ("length", LENGTH, Sign::Positive, 1, 60_000),
     ("outer_diameter", LENGTH, Sign::Positive, 2, 3_000),
     ("inner_diameter", LENGTH, Sign::Positive, 0, 3_000),
@@ -140,7 +155,8 @@ const HEAVIEST: i64 = 100_000;
 /// ```
 pub fn warnings(name: &str, source: &str, layout: &Layout) -> Vec<LayoutWarning> {
     let Ok(table) = written::table(source) else { return Vec::new() };
-    let mut odd = odd_quantities(table.get_ref(), has_parts(layout));
+    let is_metric = matches!(layout, Layout::Known(engine, _) if is_in_metres(engine));
+    let mut odd = odd_quantities(table.get_ref(), has_parts(layout), is_metric);
     // What follows from an odd quantity is odd as well, and says nothing more.
     if let (true, Layout::Known(engine, _)) = (odd.is_empty(), layout) {
         odd.extend(together(engine, table.get_ref()));
@@ -151,15 +167,19 @@ pub fn warnings(name: &str, source: &str, layout: &Layout) -> Vec<LayoutWarning>
 /// What is odd about quantities by themselves: of a file that is refused, for the reason may be a unit, or of one that describes no engine.
 pub fn warnings_of_values(name: &str, source: &str) -> Vec<LayoutWarning> {
     let Ok(table) = written::table(source) else { return Vec::new() };
-    odd_quantities(table.get_ref(), false).into_iter().map(|odd| LayoutWarning(odd.in_file(name, source))).collect()
+    odd_quantities(table.get_ref(), false, false)
+        .into_iter()
+        .map(|odd| LayoutWarning(odd.in_file(name, source)))
+        .collect()
 }
 
 /// What is odd about the value of a key that is not in a file, in one line.
-pub fn odd_value(key: &str, text: &str) -> Option<String> {
+pub fn odd_value(key: &str, text: &str, engine: Option<&Engine>) -> Option<String> {
     let name = key.rsplit('.').find(|part| part.parse::<usize>().is_err())?;
     let table = key.split('.').next();
     let is_other = table.is_some_and(|table| OTHERS.contains(&table)) || is_ratio(table, name);
-    let odd = quantity(name, text, 0..0).filter(|_| !is_other)?;
+    let is_metric = engine.is_some_and(is_in_metres);
+    let odd = apart(name, text, 0..0).or_else(|| quantity(name, text, 0..0, is_metric)).filter(|_| !is_other)?;
     Some(format!("{}: {}", odd.message(), odd.right()))
 }
 
@@ -179,14 +199,18 @@ fn has_parts(layout: &Layout) -> bool {
 }
 
 /// Those that are odd by themselves.
-fn odd_quantities(table: &DeTable<'_>, has_parts: bool) -> Vec<LayoutError> {
+fn odd_quantities(table: &DeTable<'_>, has_parts: bool, is_metric: bool) -> Vec<LayoutError> {
     let mut odd = Vec::new();
     for (name, value) in table {
         let name = name.get_ref();
         each_in(name, value, &mut |key, text, span| {
             let is_of_a_part = has_parts && key == "radius";
             if !is_of_a_part && !is_ratio(Some(name), key) {
-                odd.extend(quantity(key, text, span));
+                // Below [[crankshaft]] a number alone counts crank radii, and one of them may be in the middle.
+                let is_of_a_crankshaft = name == "crankshaft";
+                let is_metric = is_metric && !is_of_a_crankshaft;
+                let odd_apart = apart(key, text, span.clone()).filter(|_| !is_of_a_crankshaft);
+                odd.extend(odd_apart.or_else(|| quantity(key, text, span, is_metric)));
             }
         });
     }
@@ -211,22 +235,48 @@ fn each_in(key: &str, value: &Spanned<DeValue<'_>>, then: &mut impl FnMut(&str, 
     }
 }
 
-/// What is odd about a quantity by itself.
-fn quantity(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
-    if key == "spacing" && (LENGTH.read)(text).is_some_and(|length| length.is_zero()) {
-        let right = "throws one spacing apart are then in one plane: how far are they apart?";
-        return Some(LayoutError::new("spacing is 0", right, Some(span)));
-    }
-    if key == "spacing" && (LENGTH.read)(text).is_some_and(|length| length.is_negative()) {
-        let right = "the throws then stand in the opposite order along the shaft: is the sign right?";
-        return Some(LayoutError::new("spacing is below 0", right, Some(span)));
-    }
+/// Whether positions are in metres, a number alone too.
+fn is_in_metres(engine: &Engine) -> bool {
+    engine.length_unit() == LengthUnit::Metre || engine.positions_given() && engine.dimensions().crank_radius.is_some()
+}
+
+/// What is odd about how far throws or crankshafts are apart.
+fn apart(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
+    let (_, at_zero, below) = [
+        (
+            "spacing",
+            "throws one spacing apart are then in one plane",
+            "the throws then stand in the opposite order along the shaft",
+        ),
+        ("distance", "the crankshafts are then on one axis", "the crankshafts have then changed sides"),
+        ("circumradius", "the crankshafts are then on one axis", "the crankshafts have then changed sides"),
+    ]
+    .into_iter()
+    .find(|(apart, ..)| *apart == key)?;
+    let length = (LENGTH.read)(text).filter(|length| !length.is_positive())?;
+    let (message, right) = match length.is_zero() {
+        true => (format!("{key} is 0"), format!("{at_zero}: how far are they apart?")),
+        false => (format!("{key} is below 0"), format!("{below}: is the sign right?")),
+    };
+    Some(LayoutError::new(message, right, Some(span)))
+}
+
+/// What is odd about a quantity by itself, where positions are in metres or in multiples of the spacing.
+fn quantity(key: &str, text: &str, span: Range<usize>, is_metric: bool) -> Option<LayoutError> {
     let name = if key.ends_with(MASS_ENDS) { "mass" } else { key };
     let (_, kind, sign, least, most) = USUAL.iter().find(|(known, ..)| *known == name)?;
     let thousandths = |number: i64| BigRational::new(number.into(), 1000.into());
     let (least, most) = (thousandths(*least), thousandths(*most));
     let is_usual = |value: &BigRational| value.is_zero() || (value.abs() >= least && value.abs() <= most);
     let is_read = |value: &BigRational| !value.is_negative() || *sign == Sign::Either;
+    let is_length = match kind.alone {
+        Alone::BaseUnit => true,
+        Alone::Spacing => is_metric,
+        Alone::CrankRadius => false,
+    };
+    if !is_length && units::length(text).is_ok_and(|length| !length.has_unit) {
+        return None;
+    }
     let value = (kind.read)(text).filter(|value| is_read(value) && !is_usual(value))?;
     let meant = kind.meant.iter().map(|unit| format!("{} {unit}", text.trim()));
     let meant = meant.into_iter().find(|text| (kind.read)(text).is_some_and(|value| is_usual(&value)));
@@ -292,9 +342,7 @@ const LONGEST: i64 = 50;
 /// A position in metres that is beyond any engine, or beyond this one.
 fn longest(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
     let most = integer(LONGEST);
-    // A number alone is one of metres beside a crank radius in metres.
-    let is_metric = engine.positions_given() && engine.dimensions().crank_radius.is_some();
-    if engine.length_unit() != LengthUnit::Metre && !is_metric {
+    if !is_in_metres(engine) {
         return None;
     }
     let is_far = |at: &&BigRational| at.abs() > most;
