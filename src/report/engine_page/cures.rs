@@ -165,6 +165,9 @@ impl Cure<'_> {
                 let [with, against] = [REVERSE, DIRECT].map(|rest| self.decimal_left(rest));
                 let equally_long = (with - against).abs() < ALIKE;
                 match self.are_alike() {
+                    // What a crankshaft can carry needs no shaft, and is told first.
+                    _ if self.is_on_a_crankshaft(Sense::Direct) => vec![shaft(Sense::Direct), last(Sense::Reverse)],
+                    _ if self.is_on_a_crankshaft(Sense::Reverse) => vec![shaft(Sense::Reverse), last(Sense::Direct)],
                     None => vec![(Means::Pair, NOTHING)],
                     Some(true) if equally_long => vec![(Means::Pair, NOTHING)],
                     // The one that cancels more stands first. Vectors of the force may be equally long where those of the moment differ.
@@ -196,12 +199,9 @@ impl Cure<'_> {
                 text::first_order_with_shaft(self.counterweights(), leaves(kept), self.shaft(sense))
             }
             [(Means::Shaft(sense), kept)] => {
-                let is_shaft = self.engine.crank_turning(order, sense).is_none();
-                text::one_shaft(order, self.shaft(sense), is_shaft, leaves(kept))
+                text::one_shaft(order, self.shaft(sense), !self.is_on_a_crankshaft(sense), leaves(kept))
             }
-            [(first @ Means::Shaft(sense), kept), (last, _), ..]
-                if self.engine.crank_turning(order, sense).is_some() =>
-            {
+            [(first @ Means::Shaft(sense), kept), (last, _), ..] if self.is_on_a_crankshaft(sense) => {
                 text::two_steps(order, self.named(first), leaves(kept), self.named(last))
             }
             [(Means::Shaft(sense), kept), ..] => {
@@ -274,6 +274,11 @@ impl Cure<'_> {
             Some(size) => phrase!("counterweights ({})", size),
             None => "counterweights".into(),
         }
+    }
+
+    /// Whether a crankshaft other than the reference turns like a shaft of the order.
+    fn is_on_a_crankshaft(&self, sense: Sense) -> bool {
+        self.engine.crank_turning(self.order.order, sense).is_some()
     }
 
     /// A shaft with its size.

@@ -53,10 +53,10 @@ pub fn remedy_cures(remedy: &Remedy) -> Vec<Text> {
         lines.extend(on_crankshafts(remedy));
         return lines;
     }
-    match on_a_crankshaft(remedy) {
-        Some((shaft, crank, others)) => {
-            lines.push(text::on_reverse_crankshaft(crank, rolls(shaft)));
-            if others > 0 {
+    match replaceable(remedy).first() {
+        Some((shaft, crank)) => {
+            lines.push(text::on_reverse_crankshaft(crank.name.clone(), rolls(shaft)));
+            if remedy.shafts_built().count() > 1 {
                 lines.push(text::only_own_order());
             }
         }
@@ -86,23 +86,21 @@ fn of_several_crankshafts(remedy: &Remedy) -> Option<Text> {
     are_there.then(|| text::on_reference(reference.name.clone(), others))
 }
 
+/// The shafts of the remedy that a crankshaft turns like, each with the first such crankshaft.
+fn replaceable(remedy: &Remedy) -> Vec<(&Shaft, &GearedCrank)> {
+    remedy.shafts_built().filter_map(|shaft| Some((shaft, remedy.crank_of(shaft)?))).collect()
+}
+
 /// Which shafts may be counterweights on a crankshaft that turns as they do, where crankshafts turn at different speeds.
 fn on_crankshafts(remedy: &Remedy) -> Vec<Text> {
-    let on_crank = remedy.shafts_built().filter_map(|shaft| Some((shaft, remedy.crank_of(shaft)?)));
     let on = |(shaft, crank): (&Shaft, &GearedCrank)| {
         text::on_crankshaft(shaft.order, shaft.sense, crank.name.clone(), rolls(shaft))
     };
-    let mut lines: Vec<Text> = on_crank.map(on).collect();
+    let mut lines: Vec<Text> = replaceable(remedy).into_iter().map(on).collect();
     if lines.len() < remedy.shafts_built().count() {
         lines.push(text::only_own_crankshaft(lines.is_empty()));
     }
     lines
-}
-
-/// The first crankshaft that turns against the reference, where a shaft of the remedy turns as it does, and how many other shafts there are.
-fn on_a_crankshaft(remedy: &Remedy) -> Option<(&Shaft, Text, usize)> {
-    let (shaft, crank) = remedy.shafts_built().find_map(|shaft| Some((shaft, remedy.crank_of(shaft)?)))?;
-    Some((shaft, crank.name.clone().into(), remedy.shafts_built().count() - 1))
 }
 
 /// Whether the roll moment depends on where the axis of a shaft is: that of weights which sum to 0 does not.
@@ -152,10 +150,10 @@ fn proof(remedy: &Remedy) -> Text {
 
 /// What is good to know besides: fewest shafts, heights of pairs, masses.
 pub(super) fn notes(remedy: &Remedy) -> Vec<Text> {
-    let on_a_crankshaft = on_a_crankshaft(remedy).map(|(_, _, others)| others);
-    let fewest = match on_a_crankshaft.unwrap_or_else(|| remedy.shafts_built().count()) {
+    let on_crankshafts = replaceable(remedy).len();
+    let fewest = match remedy.shafts_built().count() - on_crankshafts {
         0 => None,
-        count if on_a_crankshaft.is_some() => Some(text::shafts_beside_crankshaft(count)),
+        count if on_crankshafts > 0 => Some(text::shafts_beside_crankshaft(Choice::one_or_more(on_crankshafts), count)),
         1 => Some(text::one_is_fewest()),
         count => Some(text::fewest(count)),
     };
