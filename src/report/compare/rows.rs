@@ -59,6 +59,9 @@ impl<'a> Sized<'a> {
         let quantity = weighed.loads.rolling()?;
         let orders = weighed.about_the_axis(quantity).into_iter();
         let (order, size) = orders.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
+        if size == 0.0 {
+            return Some("0".into());
+        }
         Some(phrase!("{} (order {})", weighed.amount(size, Quantity::Axial(quantity))?, order))
     }
 }
