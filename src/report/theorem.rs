@@ -4,6 +4,7 @@ pub(super) use super::theorem_words::{no_theorem, statements, why};
 use super::{recurrence_words, stars, table};
 use crate::engine::Engine;
 use crate::page::{Block, Fold};
+use crate::proof::Planar;
 use crate::report::texts::theorem as text;
 use crate::verdict::{EveryOrderTheorem, NextLeft, NoTheorem, OrderVerdict};
 
@@ -41,7 +42,7 @@ pub(super) fn every_order(
 /// The first order that is left beside those of the report; nothing where that is not known.
 fn next(judged: &[OrderVerdict], theorem: &EveryOrderTheorem) -> Option<Block> {
     let told: Vec<u32> = judged.iter().map(|order| order.order).collect();
-    match theorem.next_left(&told) {
+    match theorem.next_left(&Planar::BOTH, &told) {
         NextLeft::None => Some(Block::Paragraph(text::no_other_order())),
         NextLeft::Order(next) => Some(Block::Paragraph(text::next_order(next))),
         NextLeft::NotKnown => None,

@@ -558,3 +558,55 @@ fn a_peak_that_is_a_short_number_is_told_by_it_and_one_at_rest_as_a_multiple() {
     let told = said("accuracy", rest, &[]);
     assert!(told.contains("Peak force, λ = 2/7: 1.19 m r ω².") && !told.contains("0 N"), "{told}");
 }
+
+/// Cranks of the second one and the third carry weights at order 2, one in each sense.
+const THREE_CRANKS: &str = "[[crankshaft]]\nname = 'a'\nsense = 'with'\noffset = 0\n\
+    [[crankshaft]]\nname = 'b'\nsense = 'against'\nspeed = 2\noffset = 4\n\
+    [[crankshaft]]\nname = 'c'\nsense = 'with'\nspeed = 2\noffset = -4\n\
+    [[cylinder]]\ncrankshaft = 'a'\nthrow = 0\nbank = 0\nposition = 0\n\
+    [[cylinder]]\ncrankshaft = 'b'\nthrow = 0\nbank = 0\nposition = 1\n\
+    [[cylinder]]\ncrankshaft = 'c'\nthrow = 90\nbank = 0\nposition = 2\n\
+    [mechanism]\nrod_ratio = 0.3\n";
+
+#[test]
+fn every_crankshaft_that_can_carry_a_weight_saves_a_shaft() {
+    let told = said("remedy", THREE_CRANKS, &[]);
+    let fewest = "Besides what turns on those crankshafts, the number of balancer shafts still needed is 3. Fewer are not possible";
+    assert!(told.contains(fewest), "{told}");
+    let told = said("classify", THREE_CRANKS, &[]);
+    assert!(
+        told.contains("Order 2: counterweights added on crankshaft c (0.559 m r + 0.288 m r, 2 a apart) leave 50 %; with counterweights added on crankshaft b"),
+        "{told}"
+    );
+    let one = THREE_CRANKS.replace("throw = 90", "throw = 0").replace("speed = 2\noffset = -4", "offset = -4");
+    let told = said("remedy", &one, &[]);
+    assert!(told.contains("Besides what turns on that crankshaft,"), "{told}");
+}
+
+#[test]
+fn a_quantity_that_vanishes_at_all_other_orders_has_no_bound_there() {
+    let halves = "speed = 4344\n[inline]\nthrows = [120, 300]\nspacing = '0.17 m'\n[mechanism]\ncrank_radius = '58 mm'\n\
+        rod_length = '137.3 mm'\nreciprocating_mass = '1.85 kg'\n";
+    let told = said("classify", halves, &[]);
+    assert!(told.contains("All other forces 6, … ≤ 0.0570 kN") && !told.contains("All other moments"), "{told}");
+    let told = said("classify", &halves.replace("speed = 4344\n", ""), &[]);
+    assert!(told.contains("Order 6 and all others.") && !told.contains("% of the largest moment"), "{told}");
+}
+
+#[test]
+fn of_the_roll_moment_of_geared_cranks_only_orders_that_were_looked_at_have_a_bound() {
+    let square = "speed = 3000\neffects = ['torque']\n[square_four]\nin_phase = 'sides'\nsense = 'with'\ndistance = '0.3 m'\nspacing = '0.06 m'\n\
+        [mechanism]\ncrank_radius = '80 mm'\nrod_length = '400 mm'\nreciprocating_mass = ['4 kg', '2 kg', '2 kg', '2 kg']\n";
+    let told = said("classify", square, &[]);
+    assert!(told.contains("Roll moment 6 ≤ 0.990 N·m") && !told.contains("All other roll moments"), "{told}");
+    let fifth = said("values", square, &["--value", "loads.roll.5.zero_to_peak"]);
+    assert!(fifth.contains("1.640"), "{fifth}");
+}
+
+#[test]
+fn a_roll_moment_that_vanishes_is_zero_at_no_order_and_said_to_be_balanced() {
+    let yoke = "effects = ['torque']\n[inline]\nthrows = [0, 90]\nspacing = '0.1 m'\n[mechanism]\ncrank_radius = '40 mm'\nscotch_yoke = true\n";
+    assert!(said("classify", yoke, &[]).contains("Balanced, proved. Roll moment at all orders examined."));
+    let told = printed(&["compare", &written(yoke), &written(yoke)]);
+    assert!(told.matches("Roll moment 0").count() == 2 && !told.contains("(order"), "{told}");
+}

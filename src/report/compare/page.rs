@@ -6,7 +6,7 @@ use super::super::residual;
 use super::rows::Sized;
 use super::{Compared, notes, orders_of, rows};
 use crate::page::{Block, Document, Picture, Text};
-use crate::proof::Shape;
+use crate::proof::{Planar, Shape};
 use crate::report::texts::compare as text;
 use crate::text::Format;
 use crate::verdict::{NextLeft, OrderBalance};
@@ -99,7 +99,7 @@ fn lowest_left(engine: &Compared) -> Option<(u32, bool)> {
     if lowest > 1 || !firsts().all(is_cancelled) {
         return Some((lowest, false));
     }
-    match theorem.next_left(&[1]) {
+    match theorem.next_left(&Planar::BOTH, &[1]) {
         NextLeft::Order(order) => Some((order, true)),
         NextLeft::None => Some((u32::MAX, true)),
         NextLeft::NotKnown => None,

@@ -27,7 +27,7 @@ pub(super) fn lines(
     let weighed = parts.as_judged.as_ref();
     let mut lines = vec![shaking(&existing, weighed)];
     lines.extend(cures::Cures::new(engine, judged, &existing, weighed).line());
-    lines.extend(balanced(&judged.orders, &existing));
+    lines.extend(balanced(&judged.orders, &existing, weighed));
     lines.extend(others(&existing, weighed, theorem.filter(|theorem| theorem.masses() == judged.masses)));
     // There is room for one of them: balancer shafts and counterweights say more of an engine than rods that it may not have.
     lines.extend(pistons(judged, parts).or_else(|| articulated::hidden(engine, weighed)));
@@ -147,7 +147,7 @@ fn about_the_axis(weighed: &Weighed) -> Option<Text> {
 const MOST_OF_ROLL: usize = 2;
 
 /// Which forces and moments vanish, and which orders are not there.
-fn balanced(all: &[OrderVerdict], existing: &[&OrderVerdict]) -> Option<Text> {
+fn balanced(all: &[OrderVerdict], existing: &[&OrderVerdict], weighed: Option<&Weighed>) -> Option<Text> {
     let [forces, moments] =
         Planar::BOTH.map(|quantity| numbers(existing.iter().copied(), |order| order.whole(quantity).is_balanced()));
     let words = residual::orders_in_words;
@@ -165,41 +165,53 @@ fn balanced(all: &[OrderVerdict], existing: &[&OrderVerdict]) -> Option<Text> {
         [only] => Some(text::order_missing(only.clone(), DOES_NOT_EXIST)),
         several => Some(text::orders_missing(several.join(", "))),
     };
-    let sentences: Vec<Text> = vanishing.into_iter().chain(missing).collect();
+    let sentences: Vec<Text> = vanishing.into_iter().chain(weighed.and_then(no_roll)).chain(missing).collect();
     (!sentences.is_empty()).then(|| text::balanced(Text::joined(sentences, " ")))
+}
+
+/// That the roll moment vanishes, where it does at every order that is known of it.
+fn no_roll(weighed: &Weighed) -> Option<Text> {
+    let quantity = weighed.loads.rolling()?;
+    let examined = weighed.about_the_axis(quantity).len();
+    (examined > 0 && weighed.zeros_about_the_axis(quantity).count() == examined).then(text::no_roll_moment)
 }
 
 /// What is known of the orders that are not told: that there are none, or what they add up to at most, forces and moments together where
 /// they are the same orders.
 fn others(judged: &[&OrderVerdict], weighed: Option<&Weighed>, theorem: Option<&EveryOrderTheorem>) -> Option<Text> {
     let told: Vec<u32> = judged.iter().map(|order| order.order).collect();
-    let next = theorem.map_or(NextLeft::NotKnown, |theorem| theorem.next_left(&told));
+    let next = |of: &[Planar]| theorem.map_or(NextLeft::NotKnown, |theorem| theorem.next_left(of, &told));
     let bound = |(quantity, [of_largest, alone]): (Planar, [&'static str; 2])| {
         let (small, rest) = weighed?.rest(quantity, judged.iter().copied());
+        let next = next(&[quantity]);
+        // A bound of nothing says that there may be something.
+        let is_all = small.is_empty() && next == NextLeft::None;
         let small: Vec<String> = small.iter().map(u32::to_string).collect();
-        match rest? {
-            Rest::Part(part) => Some((small, phrase!(of_largest, percent_at_most(part)))),
-            Rest::Amount(amount) => Some((small, phrase!(alone, amount))),
-        }
+        let bound = match rest.filter(|_| !is_all)? {
+            Rest::Part(part) => phrase!(of_largest, percent_at_most(part)),
+            Rest::Amount(amount) => phrase!(alone, amount),
+        };
+        Some((small, bound, next))
     };
     let of_force = bound((Planar::Force, ["{} % of the largest force", "{} of force"]));
     let of_moment = bound((Planar::Moment, ["{} % of the largest moment", "{} of moment"]));
-    match (of_force, of_moment, next) {
-        (None, None, NextLeft::None) if is_all_told(weighed) => Some(text::others_zero()),
-        (None, None, NextLeft::Order(next)) => Some(text::next_order_left(next)),
-        (None, None, NextLeft::None | NextLeft::NotKnown) => None,
-        (Some((small, force)), Some((same, moment)), next) if small == same => {
-            Some(at_most(&small, next, Text::joined([force, moment], ", ")))
+    match (of_force, of_moment) {
+        (None, None) => match next(&Planar::BOTH) {
+            NextLeft::None if is_all_told(weighed) => Some(text::others_zero()),
+            NextLeft::Order(next) => Some(text::next_order_left(next)),
+            NextLeft::None | NextLeft::NotKnown => None,
+        },
+        (Some((small, force, _)), Some((same, moment, _))) if small == same => {
+            Some(at_most(&small, next(&Planar::BOTH), Text::joined([force, moment], ", ")))
         }
-        (Some((small, bound)), None, next) | (None, Some((small, bound)), next) => Some(at_most(&small, next, bound)),
-        (Some(force), Some(moment), next) => {
-            let more = (next != NextLeft::None).then(|| "…".to_owned());
-            let named = |(small, bound): (Vec<String>, Text)| match small.is_empty() {
-                true => bound,
-                false => {
-                    let orders: Vec<String> = small.into_iter().chain(more.clone()).collect();
-                    phrase!("{} ({})", bound, orders.join(", "))
+        (Some((small, bound, next)), None) | (None, Some((small, bound, next))) => Some(at_most(&small, next, bound)),
+        (Some(force), Some(moment)) => {
+            let named = |(mut orders, bound, next): (Vec<String>, Text, NextLeft)| {
+                if orders.is_empty() {
+                    return bound;
                 }
+                orders.extend((next != NextLeft::None).then(|| "…".to_owned()));
+                phrase!("{} ({})", bound, orders.join(", "))
             };
             Some(text::others_at_most(Text::joined([force, moment].map(named), ", ")))
         }

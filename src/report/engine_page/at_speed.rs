@@ -123,7 +123,7 @@ fn about_the_axis(weighed: &Weighed) -> Vec<Vec<Text>> {
             rows.push(uncured(name.into(), order.into(), size(value, unit)));
         }
         // Of the roll moment of geared cranks no bound of the orders that were not looked at is known.
-        let beyond = (quantity == Axial::Torque).then(|| MORE.to_owned());
+        let (others, beyond) = if quantity == Axial::Torque { (others, Some(MORE.to_owned())) } else { (name, None) };
         let orders: Vec<String> = small.iter().map(|(order, _)| order.to_string()).chain(beyond).collect();
         if let Some(most) = weighed.rest_in_multiples(Quantity::Axial(quantity)).1 {
             let most = phrase!("≤ {}", unit.sized(most, Setting::Fixed(bound)));
@@ -143,12 +143,13 @@ const MORE: &str = "…";
 /// The orders that are not told one by one: what they and all that were not looked at add up to, at most.
 fn small(orders: &[&OrderVerdict], weighed: &Weighed, theorem: Option<&EveryOrderTheorem>) -> Vec<Vec<Text>> {
     let looked_at: Vec<u32> = orders.iter().map(|order| order.order).collect();
-    let next = theorem.map_or(NextLeft::NotKnown, |theorem| theorem.next_left(&looked_at));
     let of = |(quantity, name): (Planar, &'static str)| {
+        let next = theorem.map_or(NextLeft::NotKnown, |theorem| theorem.next_left(&[quantity], &looked_at));
         let (small, most) = weighed.rest_in_multiples(quantity);
         let unit = weighed.unit_of_tables(quantity);
         let mut named: Vec<String> = small.iter().map(u32::to_string).collect();
         match next {
+            NextLeft::None if small.is_empty() => return None,
             NextLeft::None => {}
             NextLeft::Order(next) if small.is_empty() => named.extend([next.to_string(), MORE.to_owned()]),
             NextLeft::Order(_) | NextLeft::NotKnown => named.push(MORE.to_owned()),

@@ -35,36 +35,34 @@ impl EveryOrderTheorem {
     /// The lowest order of force or moment that is left.
     pub fn first_left(&self, engine: &Engine, quantity: Planar) -> FirstLeft {
         match self {
-            EveryOrderTheorem::Period(theorem) => {
-                let every = if quantity == Planar::Force { &theorem.force } else { &theorem.moment };
-                every
-                    .first
-                    .as_ref()
-                    .map_or(FirstLeft::Nothing, |first| FirstLeft::Order(first.direct.order, first.shape))
-            }
+            EveryOrderTheorem::Period(theorem) => of_both(quantity, &theorem.force, &theorem.moment)
+                .first
+                .as_ref()
+                .map_or(FirstLeft::Nothing, |first| FirstLeft::Order(first.direct.order, first.shape)),
             EveryOrderTheorem::Recurrences(all) => all.first_left(engine, quantity),
         }
     }
 
-    /// The lowest order of force and moment that is left beside those that are reported.
-    pub fn next_left(&self, told: &[u32]) -> NextLeft {
+    /// The lowest order that is left of these quantities beside the orders that are reported.
+    pub fn next_left(&self, quantities: &[Planar], told: &[u32]) -> NextLeft {
         let last = told.iter().copied().max().unwrap_or(1);
         match self {
             EveryOrderTheorem::Period(theorem) => {
-                let every = [&theorem.force, &theorem.moment].map(|every| every.survivors());
+                let of = |quantity: &Planar| of_both(*quantity, &theorem.force, &theorem.moment).survivors();
+                let every: Vec<_> = quantities.iter().map(of).collect();
                 let beyond = last.max(theorem.period) + theorem.period + 2;
                 let mut orders = (1..=beyond).filter(|order| *order == 1 || order % 2 == 0);
                 let is_left = |order: u32| every.iter().any(|survivors| survivors.contains(order));
                 orders.find(|order| !told.contains(order) && is_left(*order)).map_or(NextLeft::None, NextLeft::Order)
             }
-            EveryOrderTheorem::Recurrences(all) => all.next_left(last, told),
+            EveryOrderTheorem::Recurrences(all) => all.next_left(quantities, last, told),
         }
     }
 }
 
 impl Recurrences {
     fn first_left(&self, engine: &Engine, quantity: Planar) -> FirstLeft {
-        let both = if quantity == Planar::Force { &self.force } else { &self.moment };
+        let both = of_both(quantity, &self.force, &self.moment);
         let (sources, known) = (Sources::new(engine, self.masses), Coefficients::default());
         for order in 1..=MOST_LOOKED_THROUGH {
             if order > 1 && both.iter().all(|one| one.at(order) == AtOrder::Zero) {
@@ -85,14 +83,14 @@ impl Recurrences {
         }
     }
 
-    fn next_left(&self, last: u32, told: &[u32]) -> NextLeft {
-        let all = || self.force.iter().chain(&self.moment);
+    fn next_left(&self, quantities: &[Planar], last: u32, told: &[u32]) -> NextLeft {
+        let all = || quantities.iter().flat_map(|quantity| of_both(*quantity, &self.force, &self.moment));
         if !told.contains(&1) {
-            let whole = [&self.first.force, &self.first.moment];
-            if whole.iter().any(|whole| whole.is_left()) {
+            let mut whole = quantities.iter().map(|quantity| self.first.whole(*quantity));
+            if whole.clone().any(|whole| whole.is_left()) {
                 return NextLeft::Order(1);
             }
-            if !whole.iter().all(|whole| whole.is_balanced()) {
+            if !whole.all(|whole| whole.is_balanced()) {
                 return NextLeft::NotKnown;
             }
         }
@@ -109,6 +107,13 @@ impl Recurrences {
             true => NextLeft::None,
             false => NextLeft::NotKnown,
         }
+    }
+}
+
+fn of_both<T>(quantity: Planar, force: T, moment: T) -> T {
+    match quantity {
+        Planar::Force => force,
+        Planar::Moment => moment,
     }
 }
 
