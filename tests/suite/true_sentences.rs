@@ -610,3 +610,12 @@ fn a_roll_moment_that_vanishes_is_zero_at_no_order_and_said_to_be_balanced() {
     let told = printed(&["compare", &written(yoke), &written(yoke)]);
     assert!(told.matches("Roll moment 0").count() == 2 && !told.contains("(order"), "{told}");
 }
+
+#[test]
+fn decimals_against_links_leave_little_wherever_moments_are_taken_about() {
+    let radial = "reference_plane = '0.1 m'\n[radial]\ncylinders = 7\n[articulated]\nmaster = 1\nknuckle_radius = '50 mm'\n\
+        [mechanism]\ncrank_radius = '70 mm'\nrod_length = '230 mm'\nreciprocating_mass = '2 kg'\n";
+    let corrected = scratch("true-sentences").join("corrected.toml");
+    let told = said("remedy", radial, &["--orders", "2", "--write", corrected.to_str().expect("UTF-8")]);
+    assert!(told.contains("Written:") && corrected.is_file(), "{told}");
+}

@@ -10,7 +10,7 @@ use super::comparable_engine::ComparableEngine;
 use super::planes::{ends, usual_planes};
 use super::shafts::{shaft, without_slight};
 use super::weight::Weight;
-use crate::engine::Engine;
+use crate::engine::{Draft, Engine, ReferencePlane};
 use crate::exact::Turn;
 use crate::order::Factor;
 use crate::proof::Sense;
@@ -48,8 +48,12 @@ fn to_digits(value: f64) -> Option<BigRational> {
 /// Whether the engine as it was written leaves less than [`super::LEAST`] of the load of each order whose weights were rounded: a shaft
 /// against that would be too slight to be proposed.
 pub(super) fn leaves_little(remedy: &Remedy, read: &Engine) -> bool {
-    let Ok(subject) = ComparableEngine::new(read) else { return false };
-    let (planes, ends) = (usual_planes(read), ends(read));
+    // About the middle: about a plane far from the engine even the least force has a moment, and one plane of cylinders has none to compare
+    // it with.
+    let draft = Draft { reference_plane: ReferencePlane::Middle, ..read.clone().into_draft() };
+    let Ok(read) = draft.build() else { return false };
+    let Ok(subject) = ComparableEngine::new(&read) else { return false };
+    let (planes, ends) = (usual_planes(&read), ends(&read));
     let weights = remedy.weights();
     let rounded = weights.iter().filter(|weight| is_of_link(weight));
     let rounded: BTreeSet<(u32, Sense)> = rounded.map(|weight| (weight.order, weight.sense)).collect();
