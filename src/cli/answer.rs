@@ -143,6 +143,11 @@ impl Answer {
         self.format() == Some(Format::Data(DataFormat::Json))
     }
 
+    /// Whether a page is printed in place of the short answer.
+    pub fn is_page_alone(&self) -> bool {
+        self.page_format().is_some() && self.output().is_none()
+    }
+
     /// Whether data are asked for, and no page.
     pub fn is_data(&self) -> bool {
         matches!(self.format(), Some(Format::Data(_)))

@@ -94,6 +94,9 @@ impl Classify {
         let quantities = verdict::quantities(&engine, self.torque);
         let judged = self.masses.judge(&engine, &orders, &quantities)?;
         if let Some(wanted) = wanted {
+            if self.torque {
+                wanted.tell_what_is_in("torque", "--torque");
+            }
             let document = report::document(&engine, judged.masses, &judged.orders, &quantities, None);
             return wanted.give(data::classify(&engine, &judged, &document));
         }

@@ -63,7 +63,7 @@ impl Compare {
         layouts::read_once(&self.layouts)?;
         if let [only] = self.layouts.as_slice() {
             let only = layouts::shown(only);
-            return Err(Failure::new(format!(
+            return Err(Failure::misuse(format!(
                 "a comparison needs two or more engines; for one ask `crankstar classify {only}`"
             )));
         }

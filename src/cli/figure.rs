@@ -149,7 +149,7 @@ impl Figure {
             return Err(Failure::misuse(message));
         }
         match (format, self.standalone) {
-            (Format::Svg, true) => Err(Failure::new("--standalone is of TikZ: an SVG file is a file of its own")),
+            (Format::Svg, true) => Err(Failure::misuse("--standalone is of TikZ: an SVG file is a file of its own")),
             (Format::Svg, false) => Ok(Alone::Svg),
             (Format::Tikz, false) => Ok(Alone::Tikz),
             (Format::Tikz, true) => Ok(Alone::TikzDocument),

@@ -95,8 +95,9 @@ impl ModeShape {
 
     /// The deflections, where they are given.
     pub fn deflections(&self) -> Result<Option<Vec<BigRational>>, Failure> {
-        let value =
-            |text: &String| parse_number(text.trim()).map_err(|error| Failure::new(format!("--mode-shape: {error}")));
+        let value = |text: &String| {
+            parse_number(text.trim()).map_err(|error| Failure::misuse(format!("--mode-shape: {error}")))
+        };
         match self.mode_shape.as_slice() {
             [] => Ok(None),
             values => values.iter().map(value).collect::<Result<_, _>>().map(Some),

@@ -10,7 +10,7 @@ use super::answer::Answer;
 use super::failure::Failure;
 use super::layouts::without_unknowns;
 use super::orders::EngineAndOrders;
-use super::weigh::{DATA_HAS_ALL, Threshold};
+use super::weigh::{DATA_HAS_ALL, PAGE_HAS_ALL, Threshold};
 
 /// The percentage of a bare `--auto`.
 const USUAL_PERCENT: &str = "0.1";
@@ -75,6 +75,9 @@ impl Loads {
     pub fn run(&self) -> Result<(), Failure> {
         if self.json || self.answer.is_data() {
             self.above.are_omitted(DATA_HAS_ALL)?;
+        }
+        if self.answer.is_page_alone() {
+            self.above.are_omitted(PAGE_HAS_ALL)?;
         }
         self.answer.give("loads", self.json, || {
             let (layout, orders) = self.about.read()?;

@@ -10,7 +10,7 @@ use super::layouts;
 /// The argument.
 #[derive(clap::Args)]
 pub struct Notation {
-    /// A TOML file with your names of symbols: [symbols] beta = "\\psi", c_k = "a_k", …
+    /// A TOML file with your names of symbols: [symbols] beta = "\\chi", c_k = "a_k", …
     #[arg(long, value_name = "FILE")]
     symbols: Option<PathBuf>,
 }

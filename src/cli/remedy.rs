@@ -149,7 +149,7 @@ impl Remedy {
             [first, second] => Some([plane(first)?, plane(second)?]),
             more => {
                 let message = format!("--planes: {}; give two, such as 0.12,-0.12", counted(more.len(), "position"));
-                return Err(Failure::new(message));
+                return Err(Failure::misuse(message));
             }
         };
         let factors = self.factors(engine)?;
@@ -175,7 +175,7 @@ impl Remedy {
 }
 
 fn misread(flag: &str, text: &str, right: impl Display) -> Failure {
-    Failure::new(format!("{flag}: cannot read `{text}`: {right}"))
+    Failure::misuse(format!("{flag}: cannot read `{text}`: {right}"))
 }
 
 /// Says what is odd about a value of an option.

@@ -7,7 +7,7 @@ use crankstar::engine::{Cycle, CycleOrder};
 use crankstar::exact::Turn;
 use crankstar::file::{parse_angle, parse_number};
 use crankstar::report::{SearchStudy, rising, search_theorems};
-use crankstar::search::{self, Front, Limit, Options, Pieces, Problem, Progress, SearchError, Sizes, Way};
+use crankstar::search::{self, FINEST_GRID, Front, Limit, Options, Pieces, Problem, Progress, SearchError, Sizes, Way};
 use crankstar::shard::Shard;
 
 use super::answer::Answer;
@@ -42,7 +42,7 @@ pub struct Search {
     #[arg(long, value_name = "COUNT")]
     directions: Option<u32>,
     /// Throws at any multiples of 1/N turn, as often as they like, with balanced first-order force
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=FINEST_GRID.into()))]
     grid: Option<u32>,
     /// Compare by neighbours of a bank that fire in succession too
     #[arg(long)]
@@ -112,7 +112,7 @@ impl Search {
             let limits = self
                 .limit
                 .iter()
-                .map(|text| Limit::parse(text).map_err(|right| Failure::new(format!("--limit `{text}`: {right}"))));
+                .map(|text| Limit::parse(text).map_err(|right| Failure::misuse(format!("--limit `{text}`: {right}"))));
             let limits = limits.collect::<Result<Vec<_>, _>>()?;
             let sizes = |layout: &PathBuf| Sizes::new(&layouts::known(layout, "--sizes needs")?).map_err(Failure::new);
             let sizes = self.sizes.as_ref().map(sizes).transpose()?;
@@ -166,17 +166,17 @@ impl Search {
     fn problem(&self) -> Result<Problem, Failure> {
         let orders = rising(self.orders.clone());
         let degrees = |option: &str, text: &String| {
-            parse_angle(text).map_err(|right| Failure::new(format!("{option} `{text}`: {right}")))
+            parse_angle(text).map_err(|right| Failure::misuse(format!("{option} `{text}`: {right}")))
         };
         let banks = |text: &String| {
             let turns = degrees("--bank-angle", text)?;
-            search::bank_angle(&turns).map_err(|right| Failure::new(format!("--bank-angle `{text}`: {right}")))
+            search::bank_angle(&turns).map_err(|right| Failure::misuse(format!("--bank-angle `{text}`: {right}")))
         };
         let bank_angle = self.bank_angle.as_ref().map(banks).transpose()?;
         let split = |text: &String| degrees("--pin-split", text).map(Turn::new);
         let pin_split = self.pin_split.as_ref().map(split).transpose()?;
         let spacings = |text: &String| {
-            parse_number(text).map_err(|error| Failure::new(format!("--bank-offset `{text}`: {error}")))
+            parse_number(text).map_err(|error| Failure::misuse(format!("--bank-offset `{text}`: {error}")))
         };
         let bank_offset = self.bank_offset.as_ref().map(spacings).transpose()?;
         let minor_orders = rising(self.minor_orders.clone());

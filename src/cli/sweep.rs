@@ -154,10 +154,13 @@ impl Ranges {
 
     /// The sweeps of the flags, then those of the keys.
     fn parameters(&self, template: &Template) -> Result<Vec<Parameter>, Failure> {
+        if !self.are_given() {
+            return Err(Failure::misuse("nothing is swept; give --bank-angle 0..180:10 or --set KEY=FROM..TO:STEP"));
+        }
         let given = self.flags().into_iter().filter_map(|(flag, range)| Some((flag, range?)));
         let short = given.map(|(flag, range)| Parameter::short_cut(flag, range, template));
         let set = self.set.iter().map(|text| Parameter::parse(text));
-        let parameters: Vec<Parameter> = short.chain(set).collect::<Result<_, _>>().map_err(Failure::new)?;
+        let parameters: Vec<Parameter> = short.chain(set).collect::<Result<_, _>>().map_err(Failure::misuse)?;
         let first = |one: &Parameter| format!("{} {}", one.range.value(0), one.range.unit()).trim().to_owned();
         let first: Vec<String> = parameters.iter().map(first).collect();
         let values: Vec<_> = parameters.iter().zip(&first).map(|(one, text)| (&one.key, text.as_str())).collect();

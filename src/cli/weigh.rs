@@ -30,6 +30,9 @@ pub struct Weigh {
 
 /// Why they say nothing of data.
 pub const DATA_HAS_ALL: &str = "choose what an answer lists order by order, and data has every order; omit them";
+/// Why they say nothing of the page of the loads.
+pub const PAGE_HAS_ALL: &str =
+    "choose what the short answer lists order by order, and the page has every order; omit them, or --format";
 /// Why they say nothing of a layout with unknowns.
 pub const OF_KNOWN: &str = "need an engine without unknowns; give them values below [values]";
 

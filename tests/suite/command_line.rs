@@ -99,14 +99,14 @@ fn remedy_writes_its_page_into_a_folder() {
 
 #[test]
 fn what_remedy_cannot_take_is_told() {
-    let refused = |arguments: &[&str]| fails(&[&["remedy", "I3"], arguments].concat(), 1);
-    assert!(refused(&["--planes", "1,1"]).contains("both planes are at 1"));
-    assert!(refused(&["--planes", "1"]).contains("--planes: 1 position; give two"));
-    assert!(refused(&["--planes", "1,x"]).contains("cannot read `x`"));
-    assert!(refused(&["--planes", "1 mm,2 mm"]).contains("count in spacings"));
-    assert!(refused(&["--balance-factor=-1"]).contains("0 or more"));
-    assert!(refused(&["--balance-factor", "1,1,1,1"]).contains("4 balance factors for 3 throws"));
-    assert!(refused(&["--balance-factor", "1", "--skew", "x"]).contains("cannot read `x`"));
+    let refused = |arguments: &[&str], status| fails(&[&["remedy", "I3"], arguments].concat(), status);
+    assert!(refused(&["--planes", "1,1"], 1).contains("both planes are at 1"));
+    assert!(refused(&["--planes", "1"], 2).contains("--planes: 1 position; give two"));
+    assert!(refused(&["--planes", "1,x"], 2).contains("cannot read `x`"));
+    assert!(refused(&["--planes", "1 mm,2 mm"], 2).contains("count in spacings"));
+    assert!(refused(&["--balance-factor=-1"], 2).contains("0 or more"));
+    assert!(refused(&["--balance-factor", "1,1,1,1"], 1).contains("4 balance factors for 3 throws"));
+    assert!(refused(&["--balance-factor", "1", "--skew", "x"], 2).contains("cannot read `x`"));
     assert!(fails(&["remedy", "I3", "--skew", "1"], 2).contains("--balance-factor"));
 }
 

@@ -82,7 +82,7 @@ fn a_name_that_the_layout_lacks_is_told_with_those_that_it_has() {
     let told = fails(&["figure", "I4", "star:pear"], 1);
     assert!(told.contains("no figure `star:pear`") && told.contains("end-view, star:2"), "{told}");
     assert!(fails(&["figure", "I4", "polar:1"], 1).contains("there are"));
-    assert!(fails(&["figure", "I4", "end-view", "--format", "svg", "--standalone"], 1).contains("--standalone"));
+    assert!(fails(&["figure", "I4", "end-view", "--format", "svg", "--standalone"], 2).contains("--standalone"));
     assert!(fails(&["figure", "no-such-engine", "end-view"], 1).contains("no-such-engine"));
     assert!(fails(&["figure", "I4", "end-view", "--output", "/"], 1).contains("not a name of a file"));
 }

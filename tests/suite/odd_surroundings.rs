@@ -214,3 +214,28 @@ fn no_output_holds_an_infinite_number() {
     }
     assert!(answered > 50, "only {answered} calls were answered");
 }
+
+#[test]
+fn a_wrong_value_of_an_option_is_wrong_usage() {
+    for arguments in [
+        &["sweep", "I4"][..],
+        &["sweep", "V8-crossplane", "--bank-angle", "0..180"],
+        &["compare", "I4"],
+        &["remedy", "I4", "--planes", "0"],
+        &["remedy", "I4", "--speeds", "2000,x"],
+        &["search", "--cylinders", "4", "--cycle", "four-stroke", "--grid", "0"],
+        &["search", "--cylinders", "4", "--cycle", "four-stroke", "--limit", "2=-1"],
+        &["classify", "I4", "--firing", "--mode-shape", "1,2,3,x"],
+        &["figure", "I4", "star:2", "--format", "svg", "--standalone"],
+        &["loads", "examples/four.toml", "--format", "text", "--above", "20"],
+    ] {
+        let output = call(arguments);
+        let told = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(output.status.code() == Some(2) && output.stdout.is_empty(), "{arguments:?}: {told}");
+    }
+    let torque = call(&["classify", "I4", "--torque", "--format", "csv"]);
+    assert!(
+        String::from_utf8_lossy(&torque.stderr).contains("--torque asks for is in the table `torque`"),
+        "{torque:?}"
+    );
+}
