@@ -619,3 +619,36 @@ fn decimals_against_links_leave_little_wherever_moments_are_taken_about() {
     let told = said("remedy", radial, &["--orders", "2", "--write", corrected.to_str().expect("UTF-8")]);
     assert!(told.contains("Written:") && corrected.is_file(), "{told}");
 }
+
+const MASSLESS: &str = "cycle = 'two-stroke'\nspeed = 1000\nbearings = ['0.17 m', '0.05 m', '-0.05 m', '-0.15 m']\neffects = ['gas']\nfiring_order = '1-2-3'\n\
+    [inline]\nspacing = '0.1 m'\n[mechanism]\nstroke = '90 mm'\nrod_length = '150 mm'\nreciprocating_mass = 0\n\
+    [gas]\nbore = '80 mm'\nunit = 'bar'\npressure = [[-180, 7.1], [0, 60], [90, 11], [180, 7.1]]\n";
+
+#[test]
+fn masses_of_0_load_no_bearing_and_turn_no_crank() {
+    let told = said("bearings", MASSLESS, &[]);
+    assert!(told.contains("31.5 kN by the gas and 0 N by the masses."), "{told}");
+    let still = MASSLESS.replace("[[-180, 7.1], [0, 60], [90, 11], [180, 7.1]]", "[[0, 1.01325], [360, 1.01325]]");
+    let told = said("torque", &still, &[]);
+    assert!(told.contains("Neither gas nor masses turn the crank.") && !told.contains("≈ 0°"), "{told}");
+}
+
+#[test]
+fn no_coefficient_of_fluctuation_is_told_of_a_shaft_that_stops() {
+    let engine = "cycle = 'four-stroke'\nspeed = 60\nfiring_angles = [0]\n[inline]\nthrows = [0]\n[mechanism]\nstroke = '86 mm'\n\
+        rod_length = '143 mm'\nreciprocating_mass = '0.5 kg'\n[gas]\nbore = '86 mm'\nprocess = 'spark-ignition'\ncompression_ratio = 10\n\
+        heat = '1100 J'\n[flywheel]\ninertia = '0.5 kg m²'\n";
+    let stops = "The crank stops within a cycle";
+    assert!(said("torque", engine, &[]).contains(stops));
+    assert!(!said("torque", &engine.replace("speed = 60\n", "speed = 600\n"), &[]).contains(stops));
+    let diagram = "speed = '2 rpm'\ninertia = 3\npoints = [[0, 300], [90, 500], [270, -100], [360, 300]]\n";
+    let told = said("flywheel", diagram, &[]);
+    assert!(told.contains("the shaft stops within a cycle at 2 rpm") && !told.contains('±'), "{told}");
+    assert!(said("flywheel", &diagram.replace("2 rpm", "200 rpm"), &[]).contains('±'));
+}
+
+#[test]
+fn torques_that_cancel_at_an_angle_leave_no_rounding() {
+    let told = printed(&["angle", "reports/examples/v8-gas/layout.toml", "--at", "0,180"]);
+    assert_eq!(told.matches("≈ 648.2 ≈ 0 ≈ 648.2").count(), 2, "{told}");
+}

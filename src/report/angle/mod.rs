@@ -68,19 +68,27 @@ pub struct Instant {
 impl Instant {
     /// A sum over the cylinders; none where one lacks it.
     pub fn sum(&self, of: impl Fn(&PistonAt) -> Option<f64>) -> Option<f64> {
-        self.pistons.iter().map(of).sum()
+        self.pistons.iter().map(of).collect::<Option<Vec<f64>>>().map(sum)
     }
 
     /// The torque of the inertia of all pistons, and of the masses at knuckle pins.
     pub fn torque_of_inertia(&self) -> Option<f64> {
-        let pistons = self.torque_of(|piston| piston.inertia)?;
-        Some(pistons + self.pistons.iter().filter_map(|piston| piston.knuckle).sum::<f64>())
+        let of_piston = |piston: &PistonAt| Some(piston.inertia? * piston.lever);
+        let pistons: Vec<f64> = self.pistons.iter().map(of_piston).collect::<Option<_>>()?;
+        Some(sum(pistons.into_iter().chain(self.pistons.iter().filter_map(|piston| piston.knuckle)).collect()))
     }
 
     /// The torque of one kind of force, of all cylinders.
     pub fn torque_of(&self, force: impl Fn(&PistonAt) -> Option<f64>) -> Option<f64> {
         self.sum(|piston| Some(force(piston)? * piston.lever))
     }
+}
+
+/// The sum of parts; 0 where it is no more than their roundings leave of parts that cancel.
+fn sum(parts: Vec<f64>) -> f64 {
+    let sizes: f64 = parts.iter().map(|part| part.abs()).sum();
+    let sum: f64 = parts.iter().sum();
+    if sum.abs() <= 4.0 * f64::EPSILON * sizes { 0.0 } else { sum }
 }
 
 /// The values of an engine at crank angles.

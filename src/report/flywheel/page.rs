@@ -88,8 +88,10 @@ fn lines(study: &FlywheelStudy) -> Vec<Text> {
     lines.extend(kilowatts.map(|power| text::power(given(speed), power)));
     lines.extend(found.irregularity.as_ref().zip(diagram.inertia.as_ref()).map(|(part, inertia)| {
         let inertia = quantity(float(inertia), Unit::KILOGRAM_SQUARE_METRE);
-        let percent = Text::figures(part.decimal * 50.0);
-        text::speed(inertia, given(speed), value(part, Unit::NONE), percent)
+        match part.decimal > 2.0 {
+            true => text::stops(inertia, given(speed), value(part, Unit::NONE)),
+            false => text::speed(inertia, given(speed), value(part, Unit::NONE), Text::figures(part.decimal * 50.0)),
+        }
     }));
     lines.extend(found.inertia.as_ref().zip(diagram.irregularity.as_ref()).map(|(inertia, wanted)| {
         text::flywheel(given(wanted), given(speed), value(inertia, Unit::KILOGRAM_SQUARE_METRE))

@@ -36,12 +36,15 @@ fn largest(bearings: &CycleBearings) -> Option<Text> {
     at.dedup_by_key(|angle| angle.plain());
     let at = Text::joined(at, ", ");
     let gas = peaks.clone().next()?.gas_along();
+    // What rounding leaves where the masses load no bearing is no load.
+    let is_gas_alone = journal::worst(bearings.bearings.iter().map(|bearing| bearing.inertia.value)).is_empty();
+    let of_masses = if is_gas_alone { 0.0 } else { size - gas };
     Some(if gas < 0.0 {
         text::of_masses_less_gas(newtons(size), names, at, newtons(-gas))
-    } else if gas > size {
-        text::of_gas_less_masses(newtons(size), names, at, newtons(gas), newtons(gas - size))
+    } else if of_masses < 0.0 {
+        text::of_gas_less_masses(newtons(size), names, at, newtons(gas), newtons(-of_masses))
     } else {
-        text::of_both(newtons(size), names, at, newtons(gas), newtons(size - gas))
+        text::of_both(newtons(size), names, at, newtons(gas), newtons(of_masses))
     })
 }
 

@@ -65,7 +65,7 @@ pub(super) fn orders(torque: &EngineTorque) -> Table {
         .column_if(with_inertia, phrase!("Together in {}", Unit::NEWTON_METRE), |order| {
             amplitude(order.vanishes(), order.total())
         })
-        .column("Angle at θ = 0", |order| match order.vanishes() {
+        .column("Angle at θ = 0", |order| match order.vanishes() || order.total().norm() == 0.0 {
             true => "–".into(),
             false => angle(order.total().arg().to_degrees()),
         })

@@ -34,19 +34,24 @@ pub(in crate::report) fn misfire(engine: &Engine) -> Option<Text> {
 pub(super) fn answer(engine: &Engine, torque: &EngineTorque) -> Vec<Text> {
     let newton_metres = |value: f64| quantity(value, Unit::NEWTON_METRE);
     let mut lines: Vec<Text> = misfire(engine).into_iter().collect();
-    lines.push(text::torque(
-        newton_metres(torque.mean),
-        newton_metres(torque.highest.value),
-        angle(torque.highest.angle),
-        newton_metres(torque.lowest.value),
-        angle(torque.lowest.angle),
-    ));
+    lines.push(match torque.highest.value == 0.0 && torque.lowest.value == 0.0 {
+        true => text::no_torque(),
+        false => text::torque(
+            newton_metres(torque.mean),
+            newton_metres(torque.highest.value),
+            angle(torque.highest.angle),
+            newton_metres(torque.lowest.value),
+            angle(torque.lowest.angle),
+        ),
+    });
     lines.extend(torque.unevenness().map(|part| text::unevenness(Number::Decimal(part), torque.mean > 0.0)));
     if let (Some(power), Some(speed)) = (torque.power, &engine.dimensions().speed) {
         let kilowatts = quantity(power.abs() / 1e3, Unit::KILOWATT);
         lines.push(text::power(number::given(speed), power < 0.0, kilowatts));
     }
     lines.extend(torque.evenness.as_ref().map(|evenness| flywheel(engine, evenness)));
+    let given = torque.evenness.as_ref().and_then(|evenness| evenness.given);
+    lines.extend(given.filter(|given| given.irregularity > 2.0).map(|_| text::stops()));
     lines.extend(left_out(engine, torque));
     lines
 }
