@@ -229,6 +229,35 @@ fn what_does_not_fit_is_refused_with_its_place() {
 }
 
 #[test]
+fn scales_of_a_drawing_are_given_once_and_beside_areas_that_they_measure() {
+    let told = |text: &str| parse_diagram("diagram.toml", text).expect_err("a mistake").to_string();
+    let (sides, area) = ("torque_scale = '5 N m/mm'\nangle_scale = '1°/mm'\n", "area_scale = '1400 J/cm²'\n");
+    let drawn = "areas = ['12 mm²', '-12 mm²']\n";
+    for scales in [sides, area] {
+        diagram(&format!("{scales}{drawn}"));
+        diagram(&format!("{scales}triangles = [{{ width = 360, area = '1 cm²' }}]\n"));
+    }
+    let both = told(&format!("{sides}{area}{drawn}"));
+    assert!(both.contains("both torque_scale and area_scale are given") && both.contains("toml:3:"), "{both}");
+    let both = told(&format!("angle_scale = '1°/mm'\n{area}{drawn}"));
+    assert!(both.contains("both angle_scale and area_scale are given"), "{both}");
+    for torque in [
+        "points = [[0, 60], [180, 240], [360, 60]]\n",
+        "mean = 1\nharmonics = [{ order = 2, sin = 1 }]\n",
+        "triangles = [{ width = 180, peak = 3 }]\n",
+        "triangles = [{ width = 180, area = '3 J' }]\n",
+        "areas = ['12 J', '-12 J']\n",
+    ] {
+        for (scales, key) in [(sides, "torque_scale"), (area, "area_scale"), ("angle_scale = '1°/mm'\n", "angle_scale")]
+        {
+            let told = told(&format!("{scales}{torque}"));
+            let words = format!("{key} without an area that it measures");
+            assert!(told.contains(&words) && told.contains("toml:1:"), "{told}");
+        }
+    }
+}
+
+#[test]
 fn the_command_shows_the_exact_values_and_its_tables() {
     let out = call(&["flywheel", concat!(env!("CARGO_MANIFEST_DIR"), "/examples/turning-moment.toml"), "--json"]);
     let json: serde_json::Value = serde_json::from_slice(&out.stdout).expect("JSON");

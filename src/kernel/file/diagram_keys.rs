@@ -149,6 +149,7 @@ impl File {
             area: optional(self.area_scale.as_ref(), |text| positive(text, "area scale", units::area_scale))?,
         };
         let (torque, over_pi) = self.torque(&scales)?;
+        self.scales_are_needed()?;
         let load = match (&self.load_points, &self.load_harmonics) {
             (None, None) => None,
             (Some(points), None) => Some((lines(points)?, points.span())),
@@ -183,6 +184,28 @@ impl File {
             angles: angles.collect::<Result<_, _>>()?,
             title: self.title.map_or_else(|| Untrusted::new(name), |title| title.get_ref().untrusted()),
         })
+    }
+
+    /// Scales measure areas of a drawing, in one of two ways.
+    fn scales_are_needed(&self) -> Result<(), LayoutError> {
+        let of_sides = [("torque_scale", &self.torque_scale), ("angle_scale", &self.angle_scale)];
+        let of_sides = || of_sides.iter().find_map(|(key, text)| Some((*key, text.as_ref()?)));
+        if let (Some((key, _)), Some(area)) = (of_sides(), &self.area_scale) {
+            let right = "torque_scale with angle_scale, or area_scale alone: either gives the work of an area";
+            return Err(LayoutError::new(format!("both {key} and area_scale are given"), right, place(area)));
+        }
+        let of_area = self.area_scale.as_ref().map(|text| ("area_scale", text));
+        let Some((key, scale)) = of_sides().or(of_area) else { return Ok(()) };
+        let of_triangles = self.triangles.iter().flat_map(|all| all.get_ref());
+        let of_triangles = of_triangles.filter_map(|one| one.get_ref().0.area.as_ref());
+        let mut areas = self.areas.iter().flat_map(|list| list.get_ref()).chain(of_triangles);
+        match areas.any(|text| matches!(units::area(&text.get_ref().0), Ok(Area::Square(_)))) {
+            true => Ok(()),
+            false => {
+                let right = "scales belong to areas of the drawing, such as \"52 mm²\"; torques in N m and areas in joules need none";
+                Err(LayoutError::new(format!("{key} without an area that it measures"), right, place(scale)))
+            }
+        }
     }
 
     fn torque(&self, scales: &Scales) -> Result<(Torque, bool), LayoutError> {
