@@ -154,6 +154,34 @@ fn a_column_of_each_cylinder_is_that_of_its_name_or_its_place() {
 }
 
 #[test]
+fn a_header_that_names_some_cylinders_names_each_once() {
+    let read_below = |head: &str| {
+        let text = file(&Dialect { head, separator: ",", decimal: ".", end: "\n", columns: 4, last: 71 });
+        read(&format!("{LAYOUT}unit = 'bar'\n"), text.as_bytes())
+    };
+    for (head, words) in [
+        ("angle,p4 [bar],p3 [bar],p2 [bar],p9 [bar]\n", "`p9 bar` is none"),
+        ("angle,p4,p3,p2\n", "a column has no name"),
+        ("# measured\nangle,p4,p3,p2,p4\n", "a cylinder over several columns"),
+        ("angle,p1,p2,p3,sum\n", "`sum` is none"),
+    ] {
+        let error = read_below(head).expect_err(head);
+        let line = if head.starts_with('#') { "a.csv:2:" } else { "a.csv:1:" };
+        assert!(error.contains(words) && error.contains(line) && error.contains("1, 2, 3, 4"), "{head}: {error}");
+    }
+    // In their order: where no cylinder is named, or what is said of all is like a name; where each has its own name beside other words.
+    for head in
+        ["angle,p5,p6,p7,p8\n", "angle,a (1 bar),b (1 bar),c (1 bar),d (1 bar)\n", "angle,p1,p2,p3,p4 (less 1 bar)\n"]
+    {
+        let engine = read_below(head).unwrap_or_else(|error| panic!("{head}: {error}"));
+        for (cylinder, found) in pressures(&engine, 72).into_iter().enumerate() {
+            let wanted: Vec<BigRational> = (0..72).map(|row| pascals(course(row, cylinder as i64))).collect();
+            assert_eq!(found, wanted, "{head}");
+        }
+    }
+}
+
+#[test]
 fn what_a_file_of_pressures_cannot_mean_is_told() {
     let good = |head: &str| file(&Dialect { head, separator: ";", decimal: ",", end: "\n", columns: 1, last: 71 });
     for (text, words) in [

@@ -68,7 +68,8 @@ pub(super) fn beside(
     tables().map_err(|error| error.in_file(name, &text))
 }
 
-/// Which columns of pressures are meant, from 0 on: the only one, of all cylinders; or one of each, by its name in the header, or in their order.
+/// Which columns of pressures are meant, from 0 on: the only one, of all cylinders; or one of each, by its name in the header, or in their order
+/// where it names none.
 fn columns(sheet: &Sheet<'_>, cylinders: &[String]) -> Result<Vec<usize>, LayoutError> {
     let count = sheet.rows.first().map_or(1, |row| row.cells.len() - 1);
     if count == 1 {
@@ -84,15 +85,43 @@ fn columns(sheet: &Sheet<'_>, cylinders: &[String]) -> Result<Vec<usize>, Layout
         own.next().filter(|_| own.next().is_none())
     };
     let by_name: Option<Vec<usize>> = cylinders.iter().map(named).collect();
-    let in_order = (count == cylinders.len()).then(|| (0..count).collect());
-    by_name.or(in_order).ok_or_else(|| {
+    if let Some(columns) = by_name {
+        return Ok(columns);
+    }
+    let span = || sheet.rows.first().map(|row| row.span.clone());
+    if count != cylinders.len() {
         let message = format!("{count} columns of pressures for {} cylinders", cylinders.len());
-        let right = format!(
-            "one column of all, one of each, or a header that names one of each: {}",
-            cylinders.iter().take(24).map(String::as_str).collect::<Vec<_>>().join(", ")
-        );
-        LayoutError::new(message, right, sheet.rows.first().map(|row| row.span.clone()))
-    })
+        let right = format!("one column of all, one of each, or a header that names one of each: {}", list(cylinders));
+        return Err(LayoutError::new(message, right, span()));
+    }
+    let headings: Vec<Heading> =
+        (0..count).map(|column| sheet.columns.get(column).cloned().unwrap_or_default()).collect();
+    // What stands over all columns tells none from another.
+    let tells = |name: &&String| {
+        let over = headings.iter().filter(|heading| is_of(name, heading)).count();
+        over > 0 && over < count
+    };
+    let named: Vec<&String> = cylinders.iter().filter(tells).collect();
+    let is_in_order = cylinders.iter().zip(&headings).all(|(name, heading)| is_of(name, heading));
+    if named.is_empty() || is_in_order {
+        return Ok((0..count).collect());
+    }
+    let stray = headings.iter().find(|heading| !named.iter().any(|name| is_of(name, heading)));
+    let message = match stray {
+        Some(heading) if !heading.words.is_empty() => {
+            let shown: String = heading.words.join(" ").chars().take(40).collect();
+            format!("the header names some cylinders, and `{shown}` is none")
+        }
+        Some(_) => "the header names some cylinders, and a column has no name".to_owned(),
+        None => "the header names a cylinder over several columns".to_owned(),
+    };
+    let right = format!("each name once: {}; or no names, for columns in this order", list(cylinders));
+    Err(LayoutError::new(message, right, headings.into_iter().find_map(|heading| heading.span).or_else(span)))
+}
+
+/// Names of cylinders.
+fn list(cylinders: &[String]) -> String {
+    cylinders.iter().take(24).map(String::as_str).collect::<Vec<_>>().join(", ")
 }
 
 /// The pressures of one column, in the unit of the layout file or of the header.

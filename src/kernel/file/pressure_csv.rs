@@ -26,6 +26,8 @@ pub(super) struct Heading {
     pub words: Vec<String>,
     /// The unit of pressure among them, by its name.
     pub unit: Option<(&'static str, PressureUnit)>,
+    /// Where the first line of the header is that has this column.
+    pub span: Option<Range<usize>>,
 }
 
 /// A line of numbers.
@@ -101,6 +103,7 @@ impl Sheet<'_> {
             let words = words(cell);
             heading.unit = heading.unit.or_else(|| words.iter().find_map(|word| units::pressure_unit_named(word)));
             heading.words.extend(words);
+            heading.span.get_or_insert_with(|| span.clone());
         }
         Ok(())
     }
