@@ -88,6 +88,7 @@ const CRANKSHAFT: &[(&str, usize, &str)] = &[
     ("[crankshaft]\nlength = '0.2 m'\n[[counterweight]]\nthrow = 1\nmass = 1\nradius = 1\nposition = '-101 mm'", 11, "from -100 mm to 100 mm"),
     ("[crankshaft]\nlength = 0",                                    6, "a length above 0"),
     ("[crankshaft]\nbalance_factor = 1\ncounterweight_radius = 1\nlength = '0.2 m'\nweb_offset = '60 mm'", 9, "beyond the crankshaft"),
+    ("[crankshaft]\nbalance_factor = 1\ncounterweight_radius = 1\nlength = '5 mm'", 8, "beyond the crankshaft"),
     ("[crankshaft]\npin_mass = -1",                                 6, "a mass is 0 or more"),
     ("[crankshaft]\npin_mass = [1, 2, 3]",                          6, "3 values for 2 throws"),
     ("[crankshaft]\nweb_mass = 1",                                  6, "without its radius"),

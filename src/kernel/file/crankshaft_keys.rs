@@ -192,7 +192,10 @@ impl Tables<'_> {
                         weights.push(weight(&mass / &two, position));
                     }
                 }
-                None => weights.push(weight(mass, throw.position.clone())),
+                None => {
+                    on_the_shaft(engine, &throw.position, keys.length.as_ref().and_then(place))?;
+                    weights.push(weight(mass, throw.position.clone()));
+                }
             }
         }
         Ok((weights, factors))
