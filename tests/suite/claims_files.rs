@@ -150,6 +150,31 @@ fn newtons_of_the_worked_in_line_five_are_answered_with_the_exact_ones() {
     assert!(matches!(at("orders 1 and 2 of the force vanish"), Status::True));
 }
 
+#[test]
+fn numbers_of_a_claim_are_none_other_than_those_of_its_layout() {
+    let layout = "speed = 600\n[inline]\nthrows = [0, 180, 180, 0]\nspacing = '0.1 m'\n[mechanism]\nreciprocating_mass = '1.5 kg'\n\
+        crank_radius = '50 mm'\nrod_length = '175 mm'\n";
+    let read = |layout: &str, numbers: &str| {
+        let text = claim("own.toml", "second-order force = 3 N") + numbers;
+        let find = |_: &str| file::parse("own.toml", layout).map_err(|error| error.to_string());
+        parse_claims("claims.toml", &text, &find).map_err(|error| error.to_string())
+    };
+    let numbers =
+        "numbers = { reciprocating_mass = 1.5, crank_radius = '5 cm', rod_length = '17.5 cm', speed = 600 }\n";
+    read(layout, numbers).expect("the same");
+    read("inline.throws = [0, 180, 180, 0]\n", &numbers.replace(" }", ", spacing = 0.15 }")).expect("no others");
+    for (own, other, words) in [
+        ("mass = 1.5", "mass = 1.4", "another reciprocating mass"),
+        ("'5 cm'", "'6 cm'", "another crank radius"),
+        ("'17.5 cm'", "'17 cm'", "another ratio of crank radius and rod"),
+        ("speed = 600", "speed = 601", "another speed"),
+        ("600 }", "600, spacing = '0.1 m' }", "positions of its own"),
+    ] {
+        let error = read(layout, &numbers.replace(own, other)).map(|_| ()).expect_err(words);
+        assert!(error.contains(words) && error.contains("claims.toml:4"), "{words}: {error}");
+    }
+}
+
 /// The published page's file, its engines found beside it.
 fn published() -> Claims {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("reports/claims");

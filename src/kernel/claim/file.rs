@@ -178,26 +178,48 @@ fn text(text: &Text) -> Untrusted {
 fn claim(table: &ClaimTable, around: Keys, find: Find) -> Result<Claim, LayoutError> {
     let says = text(&table.says);
     let mistake = |mistake: ClaimError| LayoutError::new(mistake.message, mistake.right, place(&table.says));
+    let layout = engine(&table.layout, find)?;
+    let numbers = table.numbers.as_ref().map(|table| numbers(&table.0, &layout)).transpose()?;
     Ok(Claim {
         engine: text(&table.layout),
-        layout: engine(&table.layout, find)?,
+        layout,
         provenance: Keys::of([&table.kind, &table.source, &table.place, &table.words]).within(around).provenance()?,
         statement: parse_statement(says.written()).map_err(mistake)?,
         says,
-        numbers: table.numbers.as_ref().map(|table| numbers(&table.0)).transpose()?,
+        numbers,
     })
 }
 
-fn numbers(table: &NumbersTable) -> Result<Numbers, LayoutError> {
+/// What a claim says of its engine, which is not other than what the layout says.
+fn numbers(table: &NumbersTable, layout: &Engine) -> Result<Numbers, LayoutError> {
     let crank_radius = positive(&table.crank_radius, "crank radius", units::metres)?;
     let ratio = &crank_radius / positive(&table.rod_length, "rod length", units::metres)?;
-    Ok(Numbers {
+    let numbers = Numbers {
         rod: Rod { ratio, offset: BigRational::zero() },
         crank_radius,
         reciprocating_mass: positive(&table.reciprocating_mass, "mass", units::mass)?,
         speed: positive(&table.speed, "speed", revolutions)?,
         spacing: table.spacing.as_ref().map(|text| positive(text, "spacing", units::metres)).transpose()?,
-    })
+    };
+    let own = layout.dimensions();
+    let is_other = |own: &Option<BigRational>, said: &BigRational| own.as_ref().is_some_and(|own| own != said);
+    let others = [
+        (is_other(&own.mass, &numbers.reciprocating_mass), "reciprocating mass", &table.reciprocating_mass),
+        (is_other(&own.crank_radius, &numbers.crank_radius), "crank radius", &table.crank_radius),
+        (layout.rods().any(|rod| rod.ratio != numbers.rod.ratio), "ratio of crank radius and rod", &table.rod_length),
+        (is_other(&own.speed, &numbers.speed), "speed", &table.speed),
+    ];
+    if let Some((_, what, text)) = others.into_iter().find(|(is_other, ..)| *is_other) {
+        let right = "numbers that the layout gives are those of the claim, too; where it gives all, omit `numbers`";
+        return Err(LayoutError::new(format!("the layout gives another {what}"), right, place(text)));
+    }
+    match &table.spacing {
+        Some(text) if layout.positions_given() => {
+            let right = "omit `spacing` here: moments are of those positions";
+            Err(LayoutError::new("the layout gives positions of its own", right, place(text)))
+        }
+        _ => Ok(numbers),
+    }
 }
 
 /// Revolutions a minute.
