@@ -497,7 +497,7 @@ fn what_cannot_be_marked_is_told_and_stops_no_other() {
         "32 of 32",
         "line 1",
         "twice",
-        "order 6 is not asked",
+        "0 of 32",
         "line 4: cannot read the cylinder `9`",
         "line 3: cannot read the sense `left`",
         "none",

@@ -269,6 +269,25 @@ fn a_row_with_more_cells_than_columns_counts_nothing_and_is_told() {
 }
 
 #[test]
+fn an_order_that_is_not_asked_for_costs_itself_and_is_told_with_its_line() {
+    let exercise = draw("I4", "Ada\nBob", &[1, 2]);
+    let mut lines = class_file(&exercise);
+    let row = lines.iter().position(|line| line.contains(",1,cylinder 1,")).expect("a row");
+    let stray = lines[row].replace(",1,cylinder 1,", ",5,cylinder 1,");
+    lines.insert(row, stray);
+    let tables = [1, 5, 2].map(|order| right(&exercise.pupils[0].engine, order, 4));
+    let table = toml(&exercise.pupils[0], "", &tables);
+    let line = table.lines().position(|line| line == "order = 5").expect("a table") + 1;
+    for (name, content, line) in [("all.csv", lines.join("\n"), row + 1), ("ada.toml", table, line)] {
+        let results = mark_class(&exercise, vec![bytes(name, content)], &Scheme::default());
+        let ada = sheet(&results, 0);
+        assert_eq!(ada.points, ada.possible, "{ada:?}");
+        let told: Vec<String> = ada.not_read.iter().map(|row| row.escaped(Format::Plain)).collect();
+        assert_eq!(told, [format!("line {line}: order 5 is not asked for; the orders are 1, 2")]);
+    }
+}
+
+#[test]
 fn nothing_that_is_said_of_a_csv_speaks_of_toml() {
     let exercise = draw("I4", "Ada\nAda\nBob", &[1, 2]);
     let whole = class_file(&exercise).join("\n");

@@ -5,7 +5,7 @@ use serde_spanned::Spanned;
 
 use super::convention::{Convention, KEYS, PLANE};
 use super::lines;
-use super::submission::{Answers, Owner, Record, Submission};
+use super::submission::{Answers, Owner, Record, Submission, not_asked_for};
 use crate::claim::Filled;
 use crate::claim::student::{Row, Sums, filled, order};
 use crate::engine::Engine;
@@ -60,16 +60,16 @@ impl Submission {
         }
     }
 
-    /// What is filled in, of this engine.
-    pub fn answers(&self, engine: &Engine) -> Result<Answers, String> {
+    /// What is filled in, of this engine and these orders.
+    pub fn answers(&self, engine: &Engine, orders: &[u32]) -> Result<Answers, String> {
         match self {
-            Submission::Toml(source) => of_toml(source, engine).map_err(|error| told(&error, source)),
-            Submission::Rows(records) => lines::answers(records, engine),
+            Submission::Toml(source) => of_toml(source, engine, orders).map_err(|error| told(&error, source)),
+            Submission::Rows(records) => lines::answers(records, engine, orders),
         }
     }
 }
 
-fn of_toml(source: &str, engine: &Engine) -> Result<Answers, LayoutError> {
+fn of_toml(source: &str, engine: &Engine, orders: &[u32]) -> Result<Answers, LayoutError> {
     let file: File = read(source)?;
     let mut convention = Convention::default();
     if let Some(Table(declared)) = &file.convention {
@@ -82,16 +82,20 @@ fn of_toml(source: &str, engine: &Engine) -> Result<Answers, LayoutError> {
                 .map_err(|right| LayoutError::new(format!("cannot read the {key} `{written}`"), right, place(text)))?;
         }
     }
-    let mut tables: Vec<(u32, Filled)> = Vec::new();
+    let (mut tables, mut not_read): (Vec<(u32, Filled)>, _) = (Vec::new(), Vec::new());
     for table in file.table.iter().flatten().map(|table| &table.get_ref().0) {
         let order = order(&table.order)?;
+        if let Some((message, right)) = not_asked_for(order, orders) {
+            not_read.push(told(&LayoutError::new(message, right, place(&table.order)), source));
+            continue;
+        }
         if tables.iter().any(|(there, _)| *there == order) {
             let message = format!("order {order} has a table before");
             return Err(LayoutError::new(message, "one table per order", place(&table.order)));
         }
         tables.push((order, filled(engine, table.rows.iter().flatten(), table.sums.as_ref())?));
     }
-    Ok(Answers { convention, tables, not_read: Vec::new() })
+    Ok(Answers { convention, tables, not_read })
 }
 
 /// A mistake in one line, with the number of the line where it is.

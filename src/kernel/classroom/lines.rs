@@ -2,7 +2,7 @@
 
 use super::convention::Convention;
 use super::csv::Row;
-use super::submission::{Answers, Owner, Record, Submission};
+use super::submission::{Answers, Owner, Record, Submission, not_asked_for};
 use crate::claim::student::kept;
 use crate::claim::{Filled, SUMS, WrittenAngle, WrittenLength};
 use crate::engine::{Engine, HIGHEST_ORDER};
@@ -68,8 +68,8 @@ fn named(column: &str) -> (String, String) {
     (name.trim().to_owned(), unit.trim().trim_end_matches([')', ']']).trim().to_lowercase())
 }
 
-/// What is filled in. A row that says nothing of the table costs itself and no other.
-pub(super) fn answers(records: &[Record], engine: &Engine) -> Result<Answers, String> {
+/// What is filled in, of these orders. A row that says nothing of their tables costs itself and no other.
+pub(super) fn answers(records: &[Record], engine: &Engine, orders: &[u32]) -> Result<Answers, String> {
     let mut answers = Answers { convention: Convention::default(), tables: Vec::new(), not_read: Vec::new() };
     for Record { row_number, order, row, values, is_too_long } in records {
         let wrong = |message: String, right: &str| format!("line {row_number}: {message}; {right}");
@@ -87,6 +87,10 @@ pub(super) fn answers(records: &[Record], engine: &Engine) -> Result<Answers, St
             answers.not_read.push(wrong(format!("cannot read the order `{order}`"), "a whole number, such as 1"));
             continue;
         };
+        if let Some((message, right)) = not_asked_for(number, orders) {
+            answers.not_read.push(wrong(message, &right));
+            continue;
+        }
         let name = row.strip_prefix(CYLINDER).unwrap_or(row).trim();
         let index = engine.cylinders().iter().position(|cylinder| cylinder.name == name);
         let quantity = SUMS.into_iter().find(|quantity| sum_name(*quantity) == row);

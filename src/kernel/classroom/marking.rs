@@ -33,7 +33,7 @@ pub struct MarkedSheet {
     pub points: BigRational,
     /// The points of a sheet without a mistake.
     pub possible: BigRational,
-    /// What is wrong with rows that belong nowhere in the table, each with its line.
+    /// What is wrong with rows that belong nowhere in the tables asked for, each with its line.
     pub not_read: Vec<Untrusted>,
 }
 
@@ -96,18 +96,9 @@ impl MarkedSheet {
 ///
 /// It is read in the convention that is declared. Where more phases are right in another, and those are more than half of the
 /// phases that are filled in, and it brings no fewer points though only a part of them counts, it is read in that one.
-pub(super) fn mark_sheet(
-    pupil: &Pupil,
-    orders: &[u32],
-    answers: Answers,
-    scheme: &Scheme,
-) -> Result<MarkedSheet, String> {
+pub(super) fn mark_sheet(pupil: &Pupil, orders: &[u32], answers: Answers, scheme: &Scheme) -> MarkedSheet {
     let Answers { convention, tables, not_read } = answers;
     let not_read: Vec<Untrusted> = not_read.into_iter().map(Untrusted::new).collect();
-    if let Some((order, _)) = tables.iter().find(|(order, _)| !orders.contains(order)) {
-        let asked: Vec<String> = orders.iter().map(u32::to_string).collect();
-        return Err(format!("a table of order {order} is not asked for; the orders are {}", asked.join(", ")));
-    }
     let nothing = Filled::default();
     let read = |convention: &Convention| -> Vec<MarkedTable> {
         let table = |order: &u32| {
@@ -135,12 +126,12 @@ pub(super) fn mark_sheet(
             let reduced = points(&tables) * &scheme.undeclared;
             if reduced >= of_declared {
                 let (declared, points) = (convention, reduced);
-                return Ok(MarkedSheet { declared, undeclared, tables, points, possible, not_read });
+                return MarkedSheet { declared, undeclared, tables, points, possible, not_read };
             }
         }
     }
     let undeclared = Vec::new();
-    Ok(MarkedSheet { declared: convention, undeclared, tables: declared, points: of_declared, possible, not_read })
+    MarkedSheet { declared: convention, undeclared, tables: declared, points: of_declared, possible, not_read }
 }
 
 fn right_phases(tables: &[MarkedTable]) -> usize {

@@ -86,9 +86,10 @@ pub fn mark_class<'a>(exercise: &'a Exercise, handed_in: Vec<HandedIn>, scheme: 
 }
 
 fn marked(exercise: &Exercise, pupil: &Pupil, found: &Found, scheme: &Scheme) -> Outcome {
-    let answers = found.handed.as_ref().map_err(String::clone).and_then(|handed| handed.answers(&pupil.engine));
-    match answers.and_then(|answers| mark_sheet(pupil, &exercise.orders, answers, scheme)) {
-        Ok(sheet) => Outcome::Marked(Box::new(sheet)),
+    let answers =
+        found.handed.as_ref().map_err(String::clone).and_then(|handed| handed.answers(&pupil.engine, &exercise.orders));
+    match answers {
+        Ok(answers) => Outcome::Marked(Box::new(mark_sheet(pupil, &exercise.orders, answers, scheme))),
         Err(why) => Outcome::Unreadable(Untrusted::new(why)),
     }
 }

@@ -24,6 +24,13 @@ pub(super) struct Answers {
     pub not_read: Vec<String>,
 }
 
+/// What is wrong with an order that is not one of these, and what would be right.
+pub(super) fn not_asked_for(order: u32, orders: &[u32]) -> Option<(String, String)> {
+    let asked: Vec<String> = orders.iter().map(u32::to_string).collect();
+    let told = || (format!("order {order} is not asked for"), format!("the orders are {}", asked.join(", ")));
+    (!orders.contains(&order)).then(told)
+}
+
 /// A row that somebody filled in.
 pub(super) struct Record {
     pub row_number: usize,
