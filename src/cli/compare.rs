@@ -10,6 +10,7 @@ use crankstar::text::Untrusted;
 
 use super::answer::Answer;
 use super::failure::Failure;
+use super::orders::whole_order;
 use super::{layouts, write};
 
 /// Arguments of `compare`.
@@ -19,7 +20,7 @@ pub struct Compare {
     #[arg(required = true)]
     layouts: Vec<PathBuf>,
     /// The orders to compare [default: all that the layout files ask for, else 1,2,4,6 and other large ones]
-    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
+    #[arg(long, value_delimiter = ',', value_parser = whole_order)]
     orders: Vec<u32>,
     /// A value of any question by its name, beside the comparison: torsion.modes.1.frequency
     #[arg(long, value_name = "NAME")]

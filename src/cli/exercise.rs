@@ -12,6 +12,7 @@ use crankstar::report::{self, rising};
 use crankstar::text::{Untrusted, counted};
 
 use super::failure::Failure;
+use super::orders::whole_order;
 use super::pages::Pages;
 use super::{layouts, progress, write};
 
@@ -27,7 +28,7 @@ pub struct Exercise {
     #[arg(long, value_name = "N", default_value_t = 1)]
     seed: u64,
     /// The orders whose tables are asked for
-    #[arg(long, value_delimiter = ',', default_value = "1,2", value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
+    #[arg(long, value_delimiter = ',', default_value = "1,2", value_parser = whole_order)]
     orders: Vec<u32>,
     /// What differs from student to student
     #[arg(long, value_enum, value_delimiter = ',', default_value = "throws,banks,spacing,masses")]

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crankstar::engine::{CycleOrder, Family};
+use crankstar::engine::{CycleOrder, Family, HIGHEST_ORDER, ORDERS};
 use crankstar::family::{self, OpenOrder};
 use crankstar::file::Layout;
 use crankstar::loads::{usual_bearing_orders, usual_orders};
@@ -51,6 +51,12 @@ impl EngineAndOrders {
         };
         Ok((layout, rising(orders)))
     }
+}
+
+/// An order of forces and moments; blanks may stand around it, as behind the comma of a list.
+pub fn whole_order(text: &str) -> Result<u32, String> {
+    let order = text.trim().parse().ok().filter(|order| ORDERS.contains(order));
+    order.ok_or_else(|| format!("an order is a whole number from 1 to {HIGHEST_ORDER}"))
 }
 
 /// Half orders are those of the gas torque.

@@ -15,6 +15,7 @@ use super::cycle::cycles;
 use super::failure::Failure;
 use super::firing::ModeShape;
 use super::layouts::{self, shown};
+use super::orders::whole_order;
 use super::{pieces, progress, write};
 
 /// Arguments of `search`.
@@ -27,7 +28,7 @@ pub struct Search {
     #[arg(long, value_parser = cycles())]
     cycle: Cycle,
     /// The orders whose moments are compared
-    #[arg(long, value_delimiter = ',', default_value = "1,2")]
+    #[arg(long, value_delimiter = ',', default_value = "1,2", value_parser = whole_order)]
     orders: Vec<u32>,
     /// A V of this many degrees, instead of an in-line engine: on shared pins, unless --pin-split parts them
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]

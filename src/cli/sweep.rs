@@ -13,6 +13,7 @@ use crankstar::sweep::{self, Geometry, Parameter, Stream};
 
 use super::answer::Answer;
 use super::failure::Failure;
+use super::orders::whole_order;
 use super::pieces::Pieces;
 use super::{layouts, progress, write};
 
@@ -24,7 +25,7 @@ pub struct Sweep {
     #[command(flatten)]
     ranges: Ranges,
     /// The orders to decide [default: those of the layout file, else 1,2,4,6 and other large ones]
-    #[arg(long, value_delimiter = ',', value_parser = clap::value_parser!(u32).range(1..=i64::from(crankstar::engine::HIGHEST_ORDER)))]
+    #[arg(long, value_delimiter = ',', value_parser = whole_order)]
     orders: Vec<u32>,
     /// Decide the firing stars, the orders of the gas torque, too: 1/2,1,3/2
     #[arg(long, value_delimiter = ',', value_name = "ORDERS")]

@@ -387,7 +387,7 @@ fn a_value_that_is_none_is_told_in_words_of_a_person() {
         (&["classify", "I4", "--above", "-1"][..], "a number of percent from 0 to 100"),
         (&["torsion", "I4", "--speed", "-5"], "a speed above 0"),
         (&["exercise", "I4", "--seed", "-1"], "a whole number is needed, without sign and unit"),
-        (&["exercise", "I4", "--orders", "1/2"], "a whole number is needed"),
+        (&["exercise", "I4", "--orders", "1/2"], "an order is a whole number from 1 to 1000"),
         (&["loads", "I4", "--digits", "x"], "a whole number is needed"),
         (&["loads", "I4", "--digits", "20"], "20 is not from 2 to 12"),
         (&["loads", "I4", "--digits", "-3"], "-3 is not from 2 to 12"),
@@ -462,6 +462,26 @@ fn remedy_names_small_orders_and_cancels_them_where_they_are_asked_for() {
     for more in [["--all"].as_slice(), &["--above", "0"], &["--orders", "1,2,4,6"]] {
         let all = succeeds(&[&["remedy", "I3"], more].concat());
         assert!(all.contains("shaft 4") && !all.contains("only on request"), "{all}");
+    }
+}
+
+#[test]
+fn orders_may_have_blanks_behind_their_commas() {
+    for command in ["classify", "remedy", "compare", "firing", "sweep"] {
+        let of = |orders: &str| {
+            let more: &[&str] = match command {
+                "compare" => &["I3"],
+                "sweep" => &["--set", "inline.throws.2=0..90:45"],
+                _ => &[],
+            };
+            succeeds(&[&[command, "I4", "--orders", orders], more].concat())
+        };
+        assert_eq!(of("1, 2 ,4"), of("1,2,4"), "{command}");
+    }
+    let stars = |orders: &str| succeeds(&["search", "--cylinders", "4", "--cycle", "four-stroke", "--orders", orders]);
+    assert_eq!(stars("1, 2"), stars("1,2"));
+    for wrong in [["compare", "I4", "--orders", "1, x"], ["sweep", "I4", "--orders", "1,0"]] {
+        assert!(fails(&wrong, 2).contains("an order is a whole number from 1 to 1000"), "{wrong:?}");
     }
 }
 

@@ -17,6 +17,7 @@ use crate::exact::Turn;
 /// let order: CycleOrder = "3/2".parse().unwrap();
 /// assert_eq!(order.to_string(), "1½");
 /// assert_eq!("1.5".parse(), Ok(order));
+/// assert_eq!(" 3/2".parse(), Ok(order));
 /// assert!("1.25".parse::<CycleOrder>().is_err());
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -96,6 +97,7 @@ impl FromStr for CycleOrder {
 
     fn from_str(text: &str) -> Result<Self, NotACycleOrder> {
         let refused = || NotACycleOrder(text.to_owned());
+        let text = text.trim();
         let halves = match text.strip_suffix('½').or_else(|| text.strip_suffix(".5")) {
             Some("") => Some(1),
             Some(whole) => whole_number(whole).and_then(|whole| whole.checked_mul(2)?.checked_add(1)),
