@@ -89,6 +89,16 @@ fn checked(layout: &Engine, says: &str) -> Answer {
     answer
 }
 
+#[test]
+fn a_half_order_without_its_torque_is_told_that_it_is_of_the_gas_torque() {
+    for says in ["order 1/2 vanishes", "orders 1/2 and 1 vanish", "order 1/2 needs nothing"] {
+        let mistake = parse_statement(says).expect_err(says);
+        assert_eq!(mistake.message, "`1/2` is not an order");
+        assert!(mistake.right.contains("half orders are of the gas torque"), "{says}: {}", mistake.right);
+    }
+    assert!(parse_statement("order 1/2 of the gas torque vanishes").is_ok());
+}
+
 /// All on one crankpin, whose force acts off the reference plane; two on pins of their own, whose couple turns.
 #[test]
 fn a_moment_is_free_where_no_plane_takes_it_away_wherever_moments_are_taken_about() {

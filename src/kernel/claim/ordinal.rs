@@ -23,7 +23,9 @@ pub(super) fn order_number(word: &str) -> Result<u32, ClaimError> {
         Ok(order) if (1..=HIGHEST_ORDER).contains(&order) => Ok(order),
         _ => Err(ClaimError::new(
             format!("`{word}` is not an order"),
-            format!("an order is a whole number, 1 to {HIGHEST_ORDER}"),
+            format!(
+                "an order of forces and moments is a whole number, 1 to {HIGHEST_ORDER}; half orders are of the gas torque, as in \"order 1/2 of the gas torque vanishes\""
+            ),
         )),
     }
 }
