@@ -415,6 +415,7 @@ fn bodies_and_mounts_that_are_none_are_refused_in_one_clear_message() {
         ("[0.3, 0.4, -1.1]", "[3.5, 0, 0]", "no body has these products of inertia"),
         ("[13, 11, 6.5]", "[13, 11, 6.5, 0.3, 0.4, -1.1]", "products of inertia or tensor entries? their signs differ"),
         ("[13, 11, 6.5]", "[13, 11]", "2 values: moment of inertia"),
+        ("centre = ['100 mm', '15 mm', '-60 mm']", "centre = ['1 mm', 0]", "2 values: centre"),
         (
             "tensor_entries",
             "products_of_inertia = [0, 0, 0]\ntensor_entries",

@@ -141,8 +141,8 @@ impl BlockKeys {
             mass: mass(&self.mass)?,
             moments: three(&self.inertia, "moment of inertia", inertia)?,
             products: [turn(xy), xz, turn(yz)],
-            centre: point(&self.centre, convention)?,
-            point: self.point.as_ref().map(|list| point(list, convention)).transpose()?,
+            centre: point(&self.centre, "centre", convention)?,
+            point: self.point.as_ref().map(|list| point(list, "point", convention)).transpose()?,
         })
     }
 }
@@ -157,7 +157,7 @@ impl MountKeys {
         let [x, y, z] = turned;
         let turn = |value| convention.in_the_sense_of_rotation(value);
         Ok(Mount {
-            place: point(&self.place, convention)?,
+            place: point(&self.place, "place", convention)?,
             stiffness: along(&self.stiffness, "stiffness", units::stiffness)?,
             damping: match &self.damping {
                 None => Default::default(),
@@ -175,8 +175,8 @@ fn inertia(text: &Text) -> Result<BigRational, LayoutError> {
 }
 
 /// x, y, z of a drawing, in the sense of rotation.
-fn point(list: &List, convention: Convention) -> Result<Three, LayoutError> {
-    let [x, y, z] = three(list, "place", metres)?;
+fn point(list: &List, what: &str, convention: Convention) -> Result<Three, LayoutError> {
+    let [x, y, z] = three(list, what, metres)?;
     Ok([x, convention.in_the_sense_of_rotation(y), z])
 }
 
