@@ -455,7 +455,7 @@ fn what_cannot_damp_is_refused_at_its_place() {
     let head = "cycle = \"four-stroke\"\nfiring_order = \"1-2\"\n[inline]\nthrows = [0, 0]\n[torsion]\n";
     let two = "inertias = [1, 1]\nstiffnesses = [1]\n";
     for (keys, words, line) in [
-        (format!("{two}dampings = [0, -1]\n"), "damping 2 is below 0", 8),
+        (format!("{two}dampings = [0, -1]\n"), "cannot read the damping `-1`", 8),
         (format!("{two}dampings = [0]\n"), "1 damping for 2", 8),
         (format!("{two}loss_factor = -0.1\n"), "loss factor is 0 or more", 8),
         (format!("{two}[[torsion.shaft]]\nbetween = [1, 2]\nloss_factor = -3\n"), "loss factor is 0 or more", 10),
@@ -478,6 +478,8 @@ fn what_cannot_damp_is_refused_at_its_place() {
         (format!("{two}[[torsion.damper]]\ndisc = 1\ninertia = 1\ndamping = 1\nstiffness = 0\n"), "above 0", 12),
         (format!("{two}[[torsion.damper]]\ndisc = 1\ninertia = 1\ndamping = -1\n"), "damping is 0 or more", 11),
         (format!("{two}[[torsion.damper]]\ndisc = 1\ninertia = 1\ndamping = \"good\"\n"), "damping `good`", 11),
+        (format!("{two}[[torsion.damper]]\ndisc = 1\ninertia = 1\ndamping = \"bst\"\n"), "or \"best\"", 11),
+        (format!("{two}[[torsion.damper]]\ndisc = 1\ninertia = 1\ndamping = 1\nstiffness = \"bst\"\n"), "or \"best\"", 12),
         (format!("{two}[[torsion.harmonic]]\norder = 1\ntorque = 1\n[[torsion.harmonic]]\norder = 2\ntorque = 1\n"), "has no phase", 8),
         (format!("{two}[[torsion.harmonic]]\norder = 1\ntorque = 0\n"), "above 0", 10),
         (format!("{two}speed_range = [3, 2]\n"), "does not rise", 8),

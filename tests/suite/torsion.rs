@@ -166,8 +166,10 @@ fn what_is_no_shaft_is_refused_at_its_place() {
     for (keys, words) in [
         ("inertias = [1]\nstiffnesses = []\n", "2 to 200"),
         ("inertias = [1, 1]\nstiffnesses = [1, 1]\n", "2 discs in a row need 1"),
-        ("inertias = [1, 0]\nstiffnesses = [1]\n", "moment of inertia 2 is not above 0"),
-        ("inertias = [1, 1, 1]\nstiffnesses = [1, -1]\n", "stiffness 2 is not above 0"),
+        ("inertias = [1, 0]\nstiffnesses = [1]\n", "cannot read the moment of inertia `0`"),
+        ("inertias = [1, 1, 1]\nstiffnesses = [1, -1]\n", "cannot read the stiffness `-1`"),
+        ("inertias = [1, 1]\nstiffnesses = [1]\nspeed_range = [1000]\n", "1 value for a range of speeds"),
+        ("inertias = [1, 1]\n[[torsion.shaft]]\nbetween = [2]\n", "1 value for the discs at two ends"),
         ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1]\n", "1 discs are named for 2 crankpins"),
         ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1, 3]\n", "crankpin 2 is on disc 3"),
         ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [0, 1]\n", "number of the disc"),

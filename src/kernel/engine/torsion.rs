@@ -141,11 +141,11 @@ pub enum NoShaft {
         /// How many dampings.
         dampings: usize,
     },
-    /// An inertia or a stiffness that is not above 0, by its number from 1.
-    #[error("{0} {1} is not above 0")]
+    /// An inertia or a stiffness that is not above 0: of what, by its number from 1.
+    #[error("the {0} {1} is not above 0")]
     NotPositive(&'static str, usize),
-    /// A damping or a loss factor below 0, by its number from 1.
-    #[error("{0} {1} is below 0: it would feed the vibration")]
+    /// A damping or a loss factor below 0: of what, by its number from 1.
+    #[error("the {0} {1} is below 0: it would feed the vibration")]
     Negative(&'static str, usize),
     /// A gear of ratio 0, by its number from 1.
     #[error("gear {0} has a ratio of 0")]
@@ -281,11 +281,11 @@ impl Torsion {
             DamperValue::Given(value) => value.clone(),
             DamperValue::Best => BigRational::zero(),
         };
-        positive("moment of inertia", self.inertias.iter())?;
-        positive("stiffness", self.shafts.iter().map(|shaft| &shaft.stiffness))?;
-        not_negative("loss factor", self.shafts.iter().map(|shaft| &shaft.loss_factor))?;
+        positive("moment of inertia of disc", self.inertias.iter())?;
+        positive("stiffness of shaft", self.shafts.iter().map(|shaft| &shaft.stiffness))?;
+        not_negative("loss factor of shaft", self.shafts.iter().map(|shaft| &shaft.loss_factor))?;
         not_negative("damping of shaft", self.shafts.iter().map(|shaft| &shaft.damping))?;
-        not_negative("damping", self.dampings.iter())?;
+        not_negative("damping of disc", self.dampings.iter())?;
         positive("inertia of the ring of damper", self.dampers.iter().map(|damper| &damper.inertia))?;
         for (index, damper) in self.dampers.iter().enumerate() {
             if value(&damper.damping).is_negative() {

@@ -13,6 +13,7 @@ use super::written::{Table, Text, place};
 use crate::engine::{
     Cycle, CycleOrder, Damper, DamperValue, ElasticShaft, Engine, Gear, Harmonic, NoShaft, Section, Steel, Torsion,
 };
+use crate::text::counted;
 
 type Tables<T> = Option<Spanned<Vec<Spanned<Table<T>>>>>;
 
@@ -93,11 +94,8 @@ pub(super) fn read(table: &Spanned<Table<Keys>>, engine: &Engine) -> Result<Tors
         Some(list) => list.get_ref().iter().map(disc).collect::<Result<_, _>>()?,
     };
     let torsion = Torsion {
-        inertias: each(&keys.inertias, "moment of inertia", units::inertia)?,
-        dampings: keys
-            .dampings
-            .as_ref()
-            .map_or(Ok(Vec::new()), |list| each(list, "damping", units::torsional_damping))?,
+        inertias: each(&keys.inertias, |text| positive(text, "moment of inertia", units::inertia))?,
+        dampings: keys.dampings.as_ref().map_or(Ok(Vec::new()), |list| each(list, damping))?,
         shafts: keys.shafts()?,
         gears: all(&keys.gear, gear)?,
         dampers: all(&keys.damper, damper)?,
@@ -131,7 +129,7 @@ impl Keys {
     /// The shafts of the row, and those of tables: of a shaft of the row they say more.
     fn shafts(&self) -> Result<Vec<ElasticShaft>, LayoutError> {
         let row = self.stiffnesses.as_ref();
-        let row = row.map_or(Ok(Vec::new()), |list| each(list, "stiffness", units::torsional_stiffness))?;
+        let row = row.map_or(Ok(Vec::new()), |list| each(list, stiffness))?;
         let mut shafts: Vec<(ElasticShaft, bool)> = Vec::new();
         for (index, stiffness) in row.into_iter().enumerate() {
             shafts.push((ElasticShaft::between([index, index + 1], stiffness), true));
@@ -228,9 +226,9 @@ impl Keys {
         match why {
             NoShaft::Stiffnesses { .. } => self.stiffnesses.as_ref().map_or_else(discs, place),
             NoShaft::Dampings { .. } => self.dampings.as_ref().map_or_else(discs, place),
-            NoShaft::NotPositive("stiffness", number) | NoShaft::Ring("shaft", number) => shaft(*number),
-            NoShaft::NotPositive("moment of inertia", number) => item(&self.inertias, *number),
-            NoShaft::Negative("damping", number) => self.dampings.as_ref().and_then(|list| item(list, *number)),
+            NoShaft::NotPositive("stiffness of shaft", number) | NoShaft::Ring("shaft", number) => shaft(*number),
+            NoShaft::NotPositive("moment of inertia of disc", number) => item(&self.inertias, *number),
+            NoShaft::Negative("damping of disc", number) => self.dampings.as_ref().and_then(|list| item(list, *number)),
             NoShaft::Hollow(_) => self.shaft.as_ref().map_or_else(discs, place),
             NoShaft::Negative(_, number) | NoShaft::NotPositive(_, number) => table(&self.damper, *number),
             NoShaft::NoRatio(number) => key(&self.gear, *number, |keys| place(&keys.ratio)),
@@ -251,7 +249,7 @@ impl ShaftKeys {
     /// Its stiffness, given or `G π (d⁴ − d_i⁴) / 32 L`; none where neither it nor a length is given.
     fn stiffness(&self, of_all: &Keys) -> Result<Option<BigRational>, LayoutError> {
         let given = self.stiffness.as_ref();
-        let given = given.map(|text| value(text, "stiffness", units::torsional_stiffness)).transpose()?;
+        let given = given.map(stiffness).transpose()?;
         let Some(length) = &self.length else { return Ok(given) };
         if given.is_some() {
             let right = "a shaft has a stiffness, or a length from which it follows";
@@ -294,7 +292,7 @@ impl ShaftKeys {
             shaft.loss_factor = factor;
         }
         if let Some(text) = &self.damping {
-            shaft.damping = not_negative(value(text, "damping", units::torsional_damping)?, "damping", text)?;
+            shaft.damping = damping(text)?;
         }
         Ok(())
     }
@@ -335,19 +333,18 @@ fn gear(keys: &GearKeys) -> Result<Gear, LayoutError> {
 }
 
 fn damper(keys: &DamperKeys) -> Result<Damper, LayoutError> {
-    let setting = |text: &Text, read: &dyn Fn(&Text) -> Result<BigRational, LayoutError>| match text.get_ref().0.trim()
-    {
+    let setting = |text: &Text, read: fn(&Text) -> Result<BigRational, LayoutError>| match text.get_ref().0.trim() {
         "best" => Ok(DamperValue::Best),
-        _ => read(text).map(DamperValue::Given),
+        _ => read(text).map(DamperValue::Given).map_err(|error| {
+            let right = format!("{}; or \"best\", by the textbook's formula", error.right());
+            LayoutError::new(error.message(), right, error.span())
+        }),
     };
-    let stiff = |text: &Text| positive(text, "stiffness", units::torsional_stiffness);
-    let damping = |text: &Text| not_negative(value(text, "damping", units::torsional_damping)?, "damping", text);
-    let stiffness = keys.stiffness.as_ref();
     Ok(Damper {
         disc: disc(&keys.disc)?,
         inertia: positive(&keys.inertia, "moment of inertia", units::inertia)?,
-        stiffness: stiffness.map(|text| setting(text, &stiff)).transpose()?,
-        damping: setting(&keys.damping, &damping)?,
+        stiffness: keys.stiffness.as_ref().map(|text| setting(text, stiffness)).transpose()?,
+        damping: setting(&keys.damping, damping)?,
     })
 }
 
@@ -366,13 +363,22 @@ fn loss_factor(factor: Option<&Text>, magnifier: Option<&Text>) -> Result<Option
 
 fn range(list: &List) -> Result<[BigRational; 2], LayoutError> {
     let [from, to] = list.get_ref().as_slice() else {
-        return Err(LayoutError::new("a range of speeds", "[\"40 rpm\", \"127 rpm\"]", place(list)));
+        let message = format!("{} for a range of speeds", counted(list.get_ref().len(), "value"));
+        return Err(LayoutError::new(message, "two, such as [\"40 rpm\", \"127 rpm\"]", place(list)));
     };
     let (from, to) = (speed(from)?, speed(to)?);
     match from < to {
         true => Ok([from, to]),
         false => Err(LayoutError::new("a range of speeds that does not rise", "[lowest, highest]", place(list))),
     }
+}
+
+fn stiffness(text: &Text) -> Result<BigRational, LayoutError> {
+    positive(text, "stiffness", units::torsional_stiffness)
+}
+
+fn damping(text: &Text) -> Result<BigRational, LayoutError> {
+    not_negative(value(text, "damping", units::torsional_damping)?, "damping", text)
 }
 
 fn speed(text: &Text) -> Result<BigRational, LayoutError> {
@@ -390,7 +396,8 @@ fn plain(text: &str) -> Result<BigRational, String> {
 /// The numbers of two discs, from 1 in the file.
 fn ends(list: &List) -> Result<[usize; 2], LayoutError> {
     let [from, to] = list.get_ref().as_slice() else {
-        return Err(LayoutError::new("two discs", "between = [6, 7]", place(list)));
+        let message = format!("{} for the discs at two ends", counted(list.get_ref().len(), "value"));
+        return Err(LayoutError::new(message, "two, such as between = [6, 7]", place(list)));
     };
     Ok([disc(from)?, disc(to)?])
 }
@@ -400,10 +407,8 @@ fn disc(text: &Text) -> Result<usize, LayoutError> {
     Ok(whole(text, "number of the disc")? as usize - 1)
 }
 
-type Unit = fn(&str) -> Result<BigRational, String>;
-
-fn each(list: &List, what: &'static str, unit: Unit) -> Result<Vec<BigRational>, LayoutError> {
-    list.get_ref().iter().map(|text| value(text, what, unit)).collect()
+fn each(list: &List, read: fn(&Text) -> Result<BigRational, LayoutError>) -> Result<Vec<BigRational>, LayoutError> {
+    list.get_ref().iter().map(read).collect()
 }
 
 fn all<T, U>(tables: &Tables<T>, of: fn(&T) -> Result<U, LayoutError>) -> Result<Vec<U>, LayoutError> {
