@@ -146,7 +146,31 @@ fn lengths_with_a_unit_ask_for_the_spacing_in_every_form() {
             error.contains("one spacing apart") && error.contains("give the engine its spacing"),
             "{text}\n{error}"
         );
+        // The length is named where it stands.
+        let said = ["50 mm", "22 mm", "13 mm"].into_iter().find(|said| text.contains(said)).expect("a length");
+        let line = text.lines().position(|line| line.contains(said)).expect("a line") + 1;
+        assert!(
+            error.contains(&format!("the length `{said}`")) && error.contains(&format!("silent.toml:{line}:")),
+            "{text}\n{error}"
+        );
         let key = if text.contains("radial") { "row_spacing" } else { "spacing" };
         layout(&format!("{text}\n{key} = '100 mm'"));
+    }
+}
+
+#[test]
+fn a_value_of_no_unknown_is_told_before_its_unit() {
+    let text = "values = { a = '5 mm' }\n[inline]\nthrows = [0, 180]\n";
+    let error = parse("value.toml", text).expect_err("no unknown").to_string();
+    assert!(error.contains("no unknown `a`") && error.contains("value.toml:1:"), "{error}");
+}
+
+#[test]
+fn the_snippets_of_forms_with_offsets_are_read_as_printed() {
+    let page = include_str!("../../src/kernel/file/README.md");
+    for form in ["[vee]\nbank_angle = 90", "[vr]\nbank_angle = 15", "[w]\nbank_angle = 72"] {
+        let start = page.find(&format!("```toml\n{form}")).unwrap_or_else(|| panic!("no {form}"));
+        let text = page[start..].lines().skip(1).take_while(|line| *line != "```").collect::<Vec<_>>().join("\n");
+        parse("printed.toml", &text).unwrap_or_else(|error| panic!("{text}\n{error}"));
     }
 }

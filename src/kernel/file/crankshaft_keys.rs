@@ -209,7 +209,7 @@ impl Tables<'_> {
             return Err(misread(text, "length", "a length whose symbols have values"));
         };
         if own == LengthUnit::Metre && !engine.positions_given() {
-            return Err(quantities::among_spacings(place(text)));
+            return Err(quantities::among_spacings(text));
         }
         if own == LengthUnit::Metre {
             *unit = own;

@@ -52,7 +52,7 @@ pub(super) struct Vee {
     bank_angle: Text,
     throws: Option<List>,
     pin_split: Option<Text>,
-    bank_offset: Option<Text>,
+    pub bank_offset: Option<Text>,
     pin_offset: Option<List>,
     spacing: Option<Text>,
     positions: Option<List>,
@@ -64,7 +64,7 @@ pub(super) struct Vee {
 #[serde(deny_unknown_fields)]
 pub(super) struct Flat {
     throws: Option<List>,
-    bank_offset: Option<Text>,
+    pub bank_offset: Option<Text>,
     spacing: Option<Text>,
     positions: Option<List>,
     numbering: Option<Column>,
@@ -88,7 +88,7 @@ pub(super) struct Fan {
     banks: List,
     throws: Option<List>,
     pin_splits: Option<List>,
-    bank_offsets: Option<List>,
+    pub bank_offsets: Option<List>,
     pin_offsets: Option<List>,
     spacing: Option<Text>,
     positions: Option<List>,

@@ -172,10 +172,11 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
     let mut length_unit = expanded.length_unit;
     let values = values(&file.values, &mut length_unit)?;
     let plane = file.reference_plane.as_ref().map(|text| quantities::length(text, &mut length_unit)).transpose()?;
-    if length_unit == LengthUnit::Metre && !expanded.positions_given {
-        let value = file.values.iter().flatten().next().map(|(_, text)| text);
-        return Err(quantities::among_spacings(file.reference_plane.as_ref().or(value).and_then(place)));
-    }
+    let lengths = || file.reference_plane.iter().chain(file.values.iter().flat_map(|values| values.values()));
+    let among_spacings = match length_unit == LengthUnit::Metre && !expanded.positions_given {
+        true => lengths().find(|text| quantities::has_unit(text)).map(quantities::among_spacings),
+        false => None,
+    };
     let gas = file
         .gas
         .as_ref()
@@ -216,6 +217,9 @@ fn layout(name: &str, source: &str, file: File, beside: FileResolver<'_>) -> Res
     };
     let family = built(draft.build())?;
     check_values(&file.values, &family)?;
+    if let Some(error) = among_spacings {
+        return Err(error);
+    }
     if let Some(speed) = faster.filter(|_| !family.unknowns().is_empty()) {
         let message = "a crankshaft that turns faster than the first, in an engine whose angles or positions are open";
         return Err(LayoutError::new(message, "write numbers in place of the unknowns", place(speed)));
@@ -298,6 +302,15 @@ fn dimensions(file: &File, expanded: &mut Expanded) -> Result<Dimensions, Layout
     Ok(dimensions)
 }
 
+/// How far the banks of its forms are apart along the crankshaft.
+fn bank_offsets(file: &File) -> Vec<&Text> {
+    let vee = file.vee.iter().filter_map(|form| form.get_ref().0.bank_offset.as_ref());
+    let flat = file.flat.iter().filter_map(|form| form.get_ref().0.bank_offset.as_ref());
+    let w = file.w.iter().filter_map(|form| form.get_ref().0.bank_offset.as_ref());
+    let fan = file.fan.iter().filter_map(|form| form.get_ref().0.bank_offsets.as_ref());
+    vee.chain(flat).chain(w).chain(fan.flat_map(|list| list.get_ref())).collect()
+}
+
 /// The one form that the file uses, as cylinders.
 fn expand(file: &File, above: &SharedKeys<'_>) -> Result<Expanded, LayoutError> {
     let mut forms: Vec<(Range<usize>, Result<Expanded, LayoutError>)> = Vec::new();
@@ -324,7 +337,12 @@ fn expand(file: &File, above: &SharedKeys<'_>) -> Result<Expanded, LayoutError> 
     match (forms.pop(), forms.pop()) {
         (Some((span, only)), None) => match only? {
             form if form.length_unit == LengthUnit::Metre && !form.positions_given => {
-                Err(quantities::among_spacings(Some(span)))
+                let with_unit = bank_offsets(file).into_iter().find(|text| quantities::has_unit(text));
+                let right = "give the engine its spacing or positions";
+                Err(with_unit.map_or_else(
+                    || LayoutError::new("lengths without the distance of the cylinders", right, Some(span)),
+                    quantities::among_spacings,
+                ))
             }
             form => Ok(form),
         },

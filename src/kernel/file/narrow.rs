@@ -42,7 +42,7 @@ pub(super) struct W {
     pin_split: Option<Text>,
     pin_splay: Option<Text>,
     pin_offset: Option<Text>,
-    bank_offset: Option<Text>,
+    pub bank_offset: Option<Text>,
     spacing: Option<Text>,
     positions: Option<List>,
     numbering: Option<Column>,

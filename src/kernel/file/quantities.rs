@@ -220,9 +220,17 @@ pub fn shown_position(at: &BigRational, unit: LengthUnit) -> String {
 }
 
 /// What is said of a length with a unit, where the cylinders are one spacing apart and nobody says how far that is.
-pub(super) fn among_spacings(place: Option<std::ops::Range<usize>>) -> LayoutError {
+pub(super) fn among_spacings(text: &Text) -> LayoutError {
     let right = "give the engine its spacing or positions, or count in spacings here too";
-    LayoutError::new("a length in an engine whose cylinders are one spacing apart", right, place)
+    let shown: String = text.get_ref().0.chars().take(40).collect();
+    let message = format!("the length `{shown}` in an engine whose cylinders are one spacing apart");
+    LayoutError::new(message, right, place(text))
+}
+
+/// Whether it is a length with a unit.
+pub(super) fn has_unit(text: &Text) -> bool {
+    let mut unit = LengthUnit::Spacing;
+    length(text, &mut unit).is_ok() && unit == LengthUnit::Metre
 }
 
 pub(super) fn integer(number: i64) -> BigRational {
