@@ -171,6 +171,10 @@ impl File {
                 return Err(LayoutError::new("a load of another kind than the torque", right, Some(span)));
             }
         };
+        if let (Torque::Areas(_), Some(list)) = (&torque, &self.angles) {
+            let right = "areas alone do not give the torque at an angle: give points, triangles or harmonics";
+            return Err(LayoutError::new("angles beside areas", right, place(list)));
+        }
         let angles = self.angles.iter().flat_map(|list| list.get_ref()).map(known_angle);
         Ok(Diagram {
             cylinders: self.cylinders(&torque)?,

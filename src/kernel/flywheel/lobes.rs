@@ -134,8 +134,9 @@ fn excess(torque: &[Line], diagram: &Diagram, mean: &BigRational) -> Result<Vec<
     if end(load) != cycle {
         return Err(NoFluctuation::OtherCycle);
     }
-    if integral(load) != integral(torque) {
-        return Err(NoFluctuation::Unequal);
+    let [of_load, of_torque] = [load, torque].map(|lines| mean_line(lines).first);
+    if of_load != of_torque {
+        return Err(NoFluctuation::Unequal { load: Box::new(of_load), torque: Box::new(of_torque) });
     }
     let between = |pair: &[BigRational]| {
         let middle = (&pair[0] + &pair[1]) / BigRational::from_integer(2.into());
