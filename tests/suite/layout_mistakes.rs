@@ -183,6 +183,11 @@ const VALUES: &[(&str, usize, &str)] = &[
     ("orders = 2\ninline.throws = [0]",                           1, "expected a list in brackets"),
     ("title = true\ninline.throws = [0]",                         1, "`true` is in the wrong place"),
     ("source = ['a', 'b']\ninline.throws = [0]",                  1, "expected a number or a text"),
+    ("speed = '100 s^-1'\ninline.throws = [0]",                   1, "`s^-1` is none of rpm"),
+    ("speed = '100 1/s'\ninline.throws = [0]",                    1, "`1/s` is none of rpm"),
+    ("speed = '100 1'\ninline.throws = [0]",                      1, "for instance"),
+    ("values = 5\ninline.throws = [0]",                           1, "expected a table"),
+    ("{ \"document\": \"crankstar\" }",                            1, "this file is JSON"),
     ("reference_plane = '9 deg'\ninline.throws = [0]",            1, "`deg` is none of mm"),
 ];
 

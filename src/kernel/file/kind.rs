@@ -58,6 +58,11 @@ impl Kind {
 
     /// Why a file is not read as one of this kind: where it is one of another, that is the reason.
     pub(crate) fn refused(self, source: &str, error: LayoutError) -> LayoutError {
+        let start = source.len() - source.trim_start().len();
+        if source[start..].starts_with('{') {
+            let right = "`crankstar verify` reads JSON; other files are TOML";
+            return LayoutError::new("this file is JSON, and TOML is expected", right, Some(start..start + 1));
+        }
         let Some(found) = Kind::certain(source).filter(|found| *found != self) else { return error };
         let [(expected, _), (what, right)] = [self, found].map(Kind::words);
         LayoutError::new(format!("this file holds {what}, and {expected} is expected"), right, None)

@@ -380,6 +380,10 @@ fn with_unit(text: &str, units: Units, examples: &str) -> Result<(BigRational, O
 /// What is behind a number.
 fn unknown_unit(text: &str) -> Option<&str> {
     let digits = text.rfind(|letter: char| letter.is_ascii_digit())? + 1;
-    let word = text[digits..].trim();
-    (!word.is_empty() && parse_number(&text[..digits]).is_ok()).then_some(word)
+    // Digits may be in the unit too, as in 1/s.
+    let parts = [Some(text.split_at(digits)), text.split_once(' ')];
+    let is_unit = |(number, word): &(&str, &str)| {
+        !word.trim().is_empty() && parse_number(word).is_err() && parse_number(number).is_ok()
+    };
+    parts.into_iter().flatten().find(is_unit).map(|(_, word)| word.trim())
 }

@@ -245,7 +245,7 @@ fn what_is_known(unknown: &str, expected: &str) -> String {
 fn value(kind: &str) -> String {
     match kind.strip_prefix("string ") {
         Some(text) => format!("`{}`", text.trim_matches('"')),
-        None if kind == "map" => "a table".to_owned(),
+        None if kind.ends_with("map") => "a table".to_owned(),
         None if kind.ends_with("sequence") => "a list in brackets".to_owned(),
         None => kind.replace("boolean ", ""),
     }
