@@ -87,6 +87,9 @@ impl Compare {
 
 /// A name of the catalogue as it is written there; else the name of the file, or of its folder for `layout.toml`.
 fn short_name(path: &Path) -> String {
+    if layouts::is_standard_input(path) {
+        return layouts::shown(path);
+    }
     if let Some(entry) = layouts::named(path) {
         return entry.name.to_owned();
     }

@@ -138,6 +138,13 @@ fn sums_of_a_table_are_lengths_exact_or_rounded() {
 }
 
 #[test]
+fn one_order_that_is_asked_and_left_is_named_alone() {
+    let (_, answers, _) = check("one.toml", &claim("I3", "F1 = M1 = 0"));
+    let answers = answers.split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(answers.contains("Order 1 remains:") && !answers.contains("Of the 1 orders"), "{answers}");
+}
+
+#[test]
 fn newtons_of_the_worked_in_line_five_are_answered_with_the_exact_ones() {
     let numbers = "numbers = { reciprocating_mass = \"1.5 kg\", crank_radius = \"50 mm\", rod_length = \"175 mm\", speed = \"600 rpm\", spacing = \"0.15 m\" }\n";
     let at = |says: &str| {

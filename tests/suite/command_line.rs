@@ -137,6 +137,20 @@ fn verify_reads_standard_input() {
 }
 
 #[test]
+fn an_engine_of_standard_input_is_called_so_in_a_comparison() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_crankstar"))
+        .args(["compare", "-", "I4"])
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("the program starts");
+    let layout = b"inline.throws = [0, 180, 180, 0]\n";
+    std::io::Write::write_all(&mut child.stdin.take().expect("a pipe"), layout).expect("written");
+    let told = String::from_utf8(child.wait_with_output().expect("it ends").stdout).expect("a text");
+    assert!(told.contains("standard input has ") && !told.contains("\n- has "), "{told}");
+}
+
+#[test]
 fn standard_input_is_named_once() {
     for arguments in [&["verify", "-", "-"][..], &["verify", "-", "--engine", "-"], &["compare", "-", "I4", "-"]] {
         assert!(fails(arguments, 2).contains("standard input is named twice"), "{arguments:?}");

@@ -190,7 +190,7 @@ fn what_a_file_of_pressures_cannot_mean_is_told() {
         ("PK\u{3}\u{4}\u{0}".to_owned(), "a workbook"),
         ("angle;pressure\n".to_owned(), "no line of the table begins with an angle"),
         (good("").replacen("-320,0;", "-320,0;1.0", 1), "cannot read the pressure"),
-        (good("").replacen("-320,0;", "", 1), "a line of 1 cells"),
+        (good("").replacen("-320,0;", "", 1), "a line of 1 cell"),
     ] {
         let error = read(&format!("{LAYOUT}unit = 'bar'\n"), text.as_bytes()).expect_err(words);
         assert!(error.contains(words), "{words}: {error}");

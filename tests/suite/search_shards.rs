@@ -142,6 +142,9 @@ fn a_missing_an_unfinished_and_a_foreign_shard_are_told() {
     let refusal = |files: &[PathBuf]| pieces.merged(files).expect_err("refused").to_string();
     let missing = refusal(&files[1..]);
     assert!(missing.contains("pieces are in none of the files; shard 1/3 computes"), "{missing}");
+    let one_each = shards(&pieces, &folder, pieces.question().pieces);
+    let missing = refusal(&one_each[1..]);
+    assert!(missing.contains("pieces is in none of the files"), "{missing}");
     let stopped = folder.join("stopped.shard");
     let bytes = fs::read(&files[0]).expect("bytes");
     fs::write(&stopped, &bytes[..bytes.len() - 5]).expect("written");

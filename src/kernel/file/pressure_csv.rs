@@ -7,6 +7,7 @@ use std::ops::Range;
 use super::error::LayoutError;
 use super::units::{self, PressureUnit};
 use crate::engine::MOST_ROWS;
+use crate::text::counted;
 
 /// What stands between cells, the first that fits: a comma may be a decimal one beside the others. A blank stands for any number of them.
 const SEPARATORS: [char; 4] = [';', '\t', ',', ' '];
@@ -65,7 +66,7 @@ pub(super) fn read(text: &str) -> Result<Sheet<'_>, LayoutError> {
                 0..=2 => "two: the angle and the pressure".to_owned(),
                 _ => format!("{width}, as in the first line of numbers: the angle, and a pressure in each column"),
             };
-            return Err(LayoutError::new(format!("a line of {} cells", cells.len()), right, Some(span)));
+            return Err(LayoutError::new(format!("a line of {}", counted(cells.len(), "cell")), right, Some(span)));
         }
         if sheet.rows.len() >= MOST_ROWS {
             let message = format!("more than {MOST_ROWS} rows");

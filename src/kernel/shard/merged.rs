@@ -59,7 +59,8 @@ impl Merged {
             None => String::new(),
         };
         let (count, all) = (missing.len(), self.pieces);
-        Err(ShardError(format!("{count} of the {all} pieces are in none of the files{computes}")))
+        let are = if count == 1 { "is" } else { "are" };
+        Err(ShardError(format!("{count} of the {all} pieces {are} in none of the files{computes}")))
     }
 
     /// The pieces that were found, rising.

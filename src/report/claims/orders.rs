@@ -30,6 +30,7 @@ impl Asked<'_> {
         let is_one = self.surviving.len() == 1;
         match self.period {
             Some(period) => text::orders_left(period, is_one, named, is_lowest, first.order, what),
+            None if self.judged == 1 => text::only_order_left(first.order, what),
             None => text::asked_orders_left(self.judged, is_one, named, is_lowest, first.order, what),
         }
     }

@@ -6,6 +6,7 @@ use num_traits::{Signed, Zero};
 use super::mistake::{At, GasMistake};
 use crate::engine::cycle::Cycle;
 use crate::engine::firing::degrees;
+use crate::text::counted;
 
 /// More rows than this are refused: every twentieth of a degree of two revolutions has one.
 pub const MOST_ROWS: usize = 14_401;
@@ -85,7 +86,7 @@ impl PressureTable {
 
 fn check(rows: &[(BigRational, BigRational)], cycle: Cycle) -> Result<(), GasMistake> {
     if !(FEWEST_ROWS..=MOST_ROWS).contains(&rows.len()) {
-        let message = format!("a table of {} rows", rows.len());
+        let message = format!("a table of {}", counted(rows.len(), "row"));
         return Err(GasMistake::new(message, format!("between {FEWEST_ROWS} and {MOST_ROWS} are read"), At::All));
     }
     for (index, (_, pressure)) in rows.iter().enumerate() {
