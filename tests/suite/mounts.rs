@@ -9,6 +9,7 @@ use crankstar::report::{AtSpeed, MountsAsked, MountsStudy, Place};
 use num_complex::Complex;
 use num_traits::ToPrimitive;
 
+use super::true_sentences::said;
 use crate::support::dice::Dice;
 
 /// An in-line four of 86 by 86 mm, rods 143 mm, spark ignition (`theory-gas`, section 2).
@@ -591,4 +592,23 @@ fn every_speed_without_a_bound_is_told() {
     let endless = study.range().iter().filter(|at| at.order == 0 && at.velocity.is_none()).count();
     let row = page.lines().find(|line| line.starts_with("| ") && line.contains("no bound")).expect("a row");
     assert!(endless > 1 && row.matches("rpm").count() == 2 * endless, "{endless} in {row}");
+}
+
+/// The page tells the largest force through a revolution, as the loads do, not the larger of its components.
+#[test]
+fn the_force_that_shakes_an_engine_is_that_of_its_loads() {
+    let layout = "title = 'Inclined'\nspeed = 2400\n[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = '0.6 kg'\n\
+        rotating_mass = '0.5 kg'\n[[cylinder]]\nthrow = 10\nbank = 30\nposition = '5 mm'\n"
+        .to_owned()
+        + MOUNTS;
+    let shaken = said("mounts", &layout, &["--orders", "1,2", "--format", "markdown"]);
+    let (_, shaken) = shaken.split_once("## What shakes").expect("a heading");
+    let loads = said("loads", &layout, &["--orders", "1,2", "--format", "markdown"]);
+    let force = |page: &str, order: &str| {
+        let row = page.split(&format!("| {order} | ≈ ")).nth(1).unwrap_or_else(|| panic!("{page}"));
+        row.split(" |").next().expect("a number").to_owned()
+    };
+    for order in ["1", "2"] {
+        assert_eq!(force(shaken, order), force(&loads, order), "order {order}");
+    }
 }

@@ -5,7 +5,7 @@ use num_traits::Zero;
 
 use super::super::typeset;
 use super::words::{place, rpm};
-use super::{MountsStudy, OrderMotion, Place, largest, peak};
+use super::{MountsStudy, OrderMotion, Place, peak};
 use crate::mounts::Phasors;
 use crate::page::{Columns, Number, Piece, Table, Text, Unit, number, phrase};
 
@@ -50,19 +50,21 @@ pub(super) fn orders_that_move(study: &MountsStudy) -> Table {
     orders_of(study.moving().map(|(_, one)| one))
 }
 
+/// The largest length through a revolution of what has components along x and y.
+fn through_revolution(&[x, y, _]: &Phasors) -> f64 {
+    let across = Complex::<f64>::i() * y;
+    (peak(&(x + across)) + peak(&(x - across))) / 2.0
+}
+
 fn orders_of<'a>(orders: impl Iterator<Item = &'a OrderMotion>) -> Table {
-    let moment = |one: &OrderMotion| {
-        let [mx, my, _] = one.load[1];
-        largest(&[mx, my, Complex::default()])
-    };
     Table::of(orders)
         .column("Order κ", |one| one.excitation.order.to_string())
         .column(phrase!("Force ({})", Unit::NEWTON), |one| {
-            zero_or(one.excitation.still.force, Text::measured(largest(&one.load[0]), Unit::NEWTON))
+            zero_or(one.excitation.still.force, Text::measured(through_revolution(&one.load[0]), Unit::NEWTON))
         })
         .column(phrase!("Moment about x, y ({})", Unit::NEWTON_METRE), |one| {
             let still = one.excitation.still;
-            zero_or(still.force && still.moment, Text::measured(moment(one), Unit::NEWTON_METRE))
+            zero_or(still.force && still.moment, Text::measured(through_revolution(&one.load[1]), Unit::NEWTON_METRE))
         })
         .column(phrase!("Moment about z ({})", Unit::NEWTON_METRE), |one| {
             let still = one.excitation.still;
