@@ -16,7 +16,7 @@ use crate::engine::{Cylinder, Engine, LengthUnit, Rotation};
 use crate::exact::{Turn, fraction};
 use crate::loads;
 use crate::numbers;
-use crate::order::{self, Factor, Source};
+use crate::order::{self, Factor, Source, TurningMass};
 use crate::page::{Columns, Number, Piece, Table, Text, Unit, number, phrase};
 use crate::proof::{Planar, Sense};
 use crate::verdict::{OrderBalance, OrderVerdict, Theorem, Verdict, WholeOrder};
@@ -160,6 +160,13 @@ fn arm_heading(engine: &Engine) -> Text {
     heading(engine, "Arm z ({})", "Arm z")
 }
 
+/// The arm of a source: of a part of a cylinder, or of a mass that turns.
+fn arm(engine: &Engine, turning: &[TurningMass], source: Source) -> Text {
+    let at = source.position(engine);
+    let at = at.or_else(|| turning.iter().find(|mass| mass.source == source).map(|mass| &mass.position));
+    at.map(|at| position(engine, &(at - engine.reference_plane()))).unwrap_or_default()
+}
+
 /// Words with the unit of positions, or without where they are multiples of the spacing.
 fn heading(engine: &Engine, in_unit: &'static str, bare: &'static str) -> Text {
     match engine.length_unit() {
@@ -270,12 +277,12 @@ pub(super) fn vector_star(engine: &Engine, order: &OrderBalance) -> Table {
 fn term_by_term(engine: &Engine, order: &OrderBalance) -> Table {
     let mut table =
         Table::new(["Source".into(), arm_heading(engine), "Sense".into(), "Weight in m r".into(), "Phase".into()]);
+    let masses = order::turning_masses(engine);
     for (balance, sense) in [(&order.force.direct, "direct"), (&order.force.reverse, "reverse")] {
         for (source, term) in balance.sources.iter().zip(balance.sum.terms()) {
-            let arm = source.position(engine).map(|at| position(engine, &(at - engine.reference_plane())));
             table.push(vec![
                 source.label(engine).into(),
-                arm.unwrap_or_default(),
+                arm(engine, &masses, *source),
                 sense.into(),
                 Number::exact(&term.weight).into(),
                 typeset::angle(&term.angle).into(),
@@ -293,7 +300,8 @@ fn term_by_term(engine: &Engine, order: &OrderBalance) -> Table {
 
 /// What each source adds to a whole order at θ = 0, with its coefficient: half of each vector and its angle, and what they sum to.
 pub(super) fn whole_star(engine: &Engine, stars: &WholeStars, order: u32) -> Table {
-    let mut table = Table::new(["Source".into(), arm_heading(engine), "½ direct".into(), "½ reverse".into()]);
+    let vectors = ["½ direct in m r ω²", "½ reverse in m r ω²"].map(Text::from);
+    let mut table = Table::new([["Source".into(), arm_heading(engine)], vectors].concat());
     let vector = |vector: Complex<f64>| {
         let [length, angle] = [vector.norm(), numbers::degrees(vector)].map(number::sensible);
         phrase!("≈ {} at ≈ {}", Text::label(length), Text::label(format!("{angle}°")))
@@ -304,11 +312,11 @@ pub(super) fn whole_star(engine: &Engine, stars: &WholeStars, order: u32) -> Tab
             sources.entry(source).or_insert_with(|| [Text::label("–"), Text::label("–")])[place] = vector(value);
         }
     }
+    let masses = order::turning_masses(engine);
     for (source, [direct, reverse]) in sources {
-        let arm = source.position(engine).map(|at| position(engine, &(at - engine.reference_plane())));
-        table.push(vec![source.label(engine).into(), arm.unwrap_or_default(), direct, reverse]);
+        table.push(vec![source.label(engine).into(), arm(engine, &masses, source), direct, reverse]);
     }
-    for (name, quantity) in [("**Σ force**", Planar::Force), ("**Σ moment**", Planar::Moment)] {
+    for (name, quantity) in [("**Σ force**", Planar::Force), (sum_of_moments(engine), Planar::Moment)] {
         let sum = |sense| match stars.resultant(quantity, order, sense) {
             (_, loads::Outcome::Zero) => Text::zero(),
             (value, loads::Outcome::NotZero | loads::Outcome::Computed) => vector(value),

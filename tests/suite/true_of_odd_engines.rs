@@ -291,3 +291,25 @@ fn what_is_one_is_told_in_the_singular() {
     let twin = "vee = { bank_angle = 'phi', throws = [0] }\n";
     tells(&said("report", twin, &["--format", "text"]), &["Free parameter: φ."], &[]);
 }
+
+/// The moment of a star's table is the sum of its vectors times their arms, those of masses that turn too; its weights are doubled, which is said.
+#[test]
+fn tables_of_stars_tell_arms_and_weights_of_all_that_turns() {
+    let offset = SINGLE.replace("stroke", "pin_offset = '4 mm', stroke")
+        + "[[balancer]]\norder = 1\nsense = 'against'\nmass_radius = '10 kg mm'\nangle = 180\nposition = '20 mm'\n\
+            [crankshaft]\nbalance_factor = 1\ncounterweight_radius = '40 mm'\nweb_offset = '25 mm'\n";
+    let page = said("report", &offset, &["--orders", "1", "--format", "markdown"]);
+    tells(
+        &page,
+        &[
+            "| ½ direct in m r ω² | ½ reverse in m r ω² |",
+            "| cw 1 | 25 | ≈",
+            "| cw 2 | −25 | ≈",
+            "| shaft 1 | 20 | – | ≈",
+            "| **Σ moment** in metres |",
+            "its weight is twice its mass times radius",
+        ],
+        &[],
+    );
+    tells(&said("report", "inline = { throws = [0, 120, 240] }", &[]), &["The weight"], &["A mass that turns with"]);
+}
