@@ -328,7 +328,7 @@ pub(super) fn whole_star(engine: &Engine, stars: &WholeStars, order: u32) -> Tab
 }
 
 /// All sources of the sums of an order, each once.
-fn sources(order: &OrderBalance) -> Vec<Source> {
+pub(super) fn sources(order: &OrderBalance) -> Vec<Source> {
     rising(order.force.verdicts().into_iter().flat_map(|verdict| verdict.sources.iter().copied()))
 }
 

@@ -1,7 +1,7 @@
 //! Sentences that were false of unusual engines: at rest, with yokes, needless shafts, faster crankshafts, several lengths, unequal cylinders.
 
 use crate::support::program::call;
-use crate::true_sentences::{said, written};
+use crate::true_sentences::{printed, said, written};
 
 const SINGLE: &str = "speed = 3000\ninline = { throws = [0] }\n\
     mechanism = { stroke = '80 mm', rod_length = '140 mm', reciprocating_mass = '0.5 kg', rotating_mass = '0.3 kg' }\n";
@@ -312,4 +312,20 @@ fn tables_of_stars_tell_arms_and_weights_of_all_that_turns() {
         &[],
     );
     tells(&said("report", "inline = { throws = [0, 120, 240] }", &[]), &["The weight"], &["A mass that turns with"]);
+}
+
+/// The short names of masses that turn are explained where the tables are, also where no drawing has them, and in German.
+#[test]
+fn short_names_in_tables_are_explained_in_every_format() {
+    let layout = SINGLE.to_owned()
+        + "[crankshaft]\npin_mass = '0.1 kg'\nbalance_factor = 1\ncounterweight_radius = '40 mm'\nweb_offset = '25 mm'\n";
+    let english = said("report", &layout, &["--format", "text", "--orders", "1"]);
+    tells(&english, &["Short names: cw for a counterweight, pin for a crankpin, rod for the big end of a rod."], &[]);
+    let german = said("report", &layout, &["--lang", "de", "--format", "markdown", "--orders", "1"]);
+    let (_, proofs) = german.split_once("| Hz 1 |").expect("a table");
+    assert!(!proofs.contains("| pin 1 |"), "{german}");
+    tells(&german, &["Gg für ein Gegengewicht, Hz für einen Hubzapfen, Pl für das große Auge eines Pleuels."], &[]);
+    tells(&said("report", "inline = { throws = [0, 180] }", &["--format", "text"]), &[], &["Short names"]);
+    let radial = printed(&["report", "radial-9-master", "--lang", "de", "--format", "html"]);
+    tells(&radial, &[], &[" off<", " on<"]);
 }

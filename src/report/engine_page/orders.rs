@@ -3,11 +3,14 @@
 use num_traits::{One, Signed};
 
 use super::super::residual_words::{sentence, whole_sentence};
-use super::super::star::{WholeStars, sized_star_figure, star_figure, star_legend, whole_legend, whole_star_figure};
+use super::super::star::{
+    WholeStars, short_names_in_tables, sized_star_figure, star_figure, star_legend, whole_legend, whole_star_figure,
+};
 use super::super::{argument, example, mechanism_words, residual, table};
 use super::weighing::{Weighed, WeighedParts};
 use crate::engine::{Cylinder, DOES_NOT_EXIST, Engine, WHY_NOT};
 use crate::exact::Turn;
+use crate::order::MassGroup;
 use crate::page::{Block, Fold, Picture, Text, phrase};
 use crate::proof::{Quantity, Sense};
 use crate::report::texts::{engine as text, theorem};
@@ -98,6 +101,11 @@ pub(super) fn proofs(engine: &Engine, stars: &[StarOf]) -> Vec<Block> {
         Block::Formula(PHASES.to_owned(), Some(2)),
         text::moment_vectors(!has_other_unit(engine)).into(),
     ]);
+    let sources = || stars.iter().flat_map(|star| &star.order.parts).flat_map(table::sources);
+    if sources().any(|source| source.group() != MassGroup::Reciprocating) {
+        blocks.push(text::turning_weights().into());
+    }
+    blocks.extend(short_names_in_tables(engine, sources()).map(Block::Paragraph));
     let offset = has_offset_below_zero(engine).then(text::offset_below_zero);
     let banks = (has_banks && engine.faster_crank().is_none()).then(text::bank_phases);
     let speeds = engine.faster_crank().map(|_| text::own_orders());

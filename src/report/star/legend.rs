@@ -88,6 +88,12 @@ fn short_names<'a>(engine: &Engine, rays: impl Iterator<Item = &'a Ray>) -> Opti
     (!words.is_empty()).then(|| text::short_names(Text::joined(words, ", ")))
 }
 
+/// What the short names of these mean, where tables have them without a drawing.
+pub(in crate::report) fn short_names_in_tables(engine: &Engine, sources: impl Iterator<Item = Source>) -> Option<Text> {
+    let kinds: BTreeMap<_, _> = sources.filter_map(|source| kind(engine, source)).collect();
+    (!kinds.is_empty()).then(|| text::short_names(Text::joined(kinds.into_values(), ", ")))
+}
+
 /// A short name, and what it stands for.
 fn kind(engine: &Engine, source: Source) -> Option<(&'static str, Text)> {
     match source {

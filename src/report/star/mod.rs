@@ -9,7 +9,7 @@ mod sheet;
 mod small;
 mod whole;
 
-pub(super) use legend::{legend_of_one_scale, star_legend};
+pub(super) use legend::{legend_of_one_scale, short_names_in_tables, star_legend};
 pub(super) use names::{short_names, shortened, source_names};
 pub(super) use panel::Panel;
 pub(super) use sheet::{Sheet, firing_figure, sized_star_figure};
