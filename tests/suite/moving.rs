@@ -279,3 +279,32 @@ fn the_script_is_small_asks_nothing_of_a_network_and_makes_no_markup_of_data() {
     assert_eq!(MOVING_SCRIPT.matches("http").count(), 1, "the name of SVG is the only address");
     assert!(!MOVING_STYLE.contains("url(") && !MOVING_STYLE.contains("@import"));
 }
+
+/// The notes beside a moving engine are in the language of its page, and those of an offset tell the orders whose vectors do not have it.
+#[test]
+fn notes_of_a_moving_engine_are_true_and_in_the_language_of_the_page() {
+    let layout = |more: &str| {
+        format!(
+            "title = 'Clockwise'\nspeed = 3000\nrotation = 'clockwise'\n[inline]\nthrows = [0, 180]\nspacing = '90 mm'\n\
+             [mechanism]\npin_offset = '4 mm'\nstroke = '80 mm'\nrod_length = '140 mm'\nreciprocating_mass = '1 kg'\n{more}"
+        )
+    };
+    let notes = |text: &str, language: Language| {
+        let engine = file::parse("moving.toml", text).unwrap_or_else(|error| panic!("{error}"));
+        let made = scene(&engine, &judged(&engine), None, &Weighing::usual());
+        moving_fragment(&made, "scene-1", language).split("<script").next().unwrap_or_default().to_owned()
+    };
+    let uniform = notes(&layout(""), Language::En);
+    assert!(uniform.contains("c_k of orders 1, 3 turns the vectors by an additional angle"), "{uniform}");
+    let whole = notes(&layout("rotating_mass = '1 kg'\n"), Language::En);
+    assert!(whole.contains("c_k of order 3 turns the vectors by an additional angle"), "{whole}");
+    let apart = notes(&layout("").replace("'4 mm'", "['4 mm', '5 mm']"), Language::En);
+    assert!(!apart.contains("additional angle"), "{apart}");
+    let german = notes(&layout("rotating_mass = '1 kg'\n"), Language::De);
+    for words in ["Wie gebaut: ", "Die Eingabedatei zeichnet", "0 ist bewiesen;", "Koeffizient c_k von Ordnung 3"] {
+        assert!(german.contains(words), "`{words}` is not in: {german}");
+    }
+    for words in ["As built", "The layout file", "0 is proved", "turns the vectors"] {
+        assert!(!german.contains(words), "`{words}` is in: {german}");
+    }
+}

@@ -19,6 +19,7 @@ mod typst;
 mod writer;
 
 use super::block::{Block, Document};
+use super::language::Language;
 use super::text::Text;
 pub use alone::Alone;
 use compose::Composer;
@@ -106,6 +107,11 @@ impl Text {
     /// As plain text, in English.
     pub fn plain(&self) -> String {
         text_in(self, Format::PLAIN)
+    }
+
+    /// As plain text in a language.
+    pub fn plain_in(&self, language: Language) -> String {
+        notation::plain(self, &Options { language, ..Options::default() })
     }
 }
 

@@ -3,13 +3,16 @@
 use num_rational::BigRational;
 
 use super::super::engine_page::assumed_ratio;
+use super::super::residual::orders_in_words;
 use super::super::typeset;
 use super::super::views::axes;
 use super::open_angle::{OpenAngle, decimal};
 use super::scene::{Body, Knuckle};
 use crate::engine::{Cylinder, Engine, Link};
+use crate::page::Text;
 use crate::proof::Sense;
 use crate::report::texts::moving as text;
+use crate::verdict::{Judgement, OrderVerdict};
 
 /// Rods of a smaller ratio would not fit on the page.
 fn least_ratio() -> BigRational {
@@ -115,15 +118,21 @@ fn link_on_its_knuckle(link: &Link, radius: &BigRational) -> (BigRational, Knuck
 }
 
 /// What is not drawn as the file has it.
-pub(super) fn notes(engine: &Engine) -> Vec<String> {
+pub(super) fn notes(engine: &Engine, judged: &Judgement) -> Vec<Text> {
     let unknown = engine.cylinders().iter().any(|cylinder| cylinder.rod().is_none() && cylinder.link().is_none());
     let links = engine.cylinders().iter().filter_map(Cylinder::link).map(|link| &link.ratio);
     let short = engine.rods().map(|rod| &rod.ratio).chain(links).any(|given| *given < least_ratio());
     let [usual, least] = [assumed_ratio(), least_ratio()].map(|ratio| typeset::number(&ratio));
+    // The vectors of an order that is made of several sums have their coefficients.
+    let is_one_sum =
+        |order: &&OrderVerdict| matches!(order.parts.as_slice(), [only] if only.class.is_none() && only.exists);
+    let is_turned = |order: &&OrderVerdict| engine.has_offset() && order.order % 2 == 1;
+    let turned = judged.orders.iter().filter(is_one_sum).filter(is_turned).map(|order| order.order);
+    let turned: Vec<u32> = turned.collect();
     let notes = [
         (unknown, text::rods_not_given(usual)),
         (short, text::long_rods(least)),
-        (engine.has_offset(), text::offset()),
+        (!turned.is_empty(), text::offset(orders_in_words(&turned))),
     ];
-    notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, words)| words.plain()).collect()
+    notes.into_iter().filter(|(is_so, _)| *is_so).map(|(_, words)| words).collect()
 }

@@ -47,7 +47,7 @@ pub fn moving_fragment(scene: &Scene, id: &str, language: Language) -> String {
     let scene = scene.spoken(language);
     let json = serde_json::to_string(&scene).unwrap_or_default();
     let orders: Vec<u32> = scene.orders.iter().map(|order| order.order).collect();
-    let notes: Vec<String> = scene.notes.iter().map(|note| text::xml(note)).collect();
+    let notes: Vec<String> = scene.notes.iter().map(|note| text::xml(&note.plain_in(language))).collect();
     let columns: Vec<Column> = scene.bodies.iter().map(column).collect();
     let mut context = Context::new();
     context.insert("id", &text::xml(id));

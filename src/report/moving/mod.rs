@@ -46,8 +46,6 @@ pub fn scene(
     let weighed = WeighedParts::new(engine, judged, weighing).as_judged;
     let open = family.and_then(|(family, orders)| OpenAngle::new(engine, judged, family, orders));
     let orders = stars::orders(engine, judged, weighed.as_ref(), open.as_ref());
-    let drawn = differs(engine.convention()).map(|words| words.plain());
-    let whose = residual::whose_masses(engine, judged).map(|words| words.plain());
     Scene {
         title: engine.title().escaped(Format::Plain),
         seen: said(engine.convention(), [text::from_free_end(), text::from_flywheel()]).plain(),
@@ -55,11 +53,11 @@ pub fn scene(
         start: start(&orders),
         orders,
         units: weighed.map(|weighed| Planar::BOTH.map(|quantity| unit(&weighed, quantity))),
-        notes: whose
+        notes: residual::whose_masses(engine, judged)
             .into_iter()
-            .chain(drawn)
-            .chain(bodies::notes(engine))
-            .chain([super::texts::residual::exact_sizes().plain()])
+            .chain(differs(engine.convention()))
+            .chain(bodies::notes(engine, judged))
+            .chain([super::texts::residual::exact_sizes()])
             .collect(),
         angle: open.map(|open| open.into_angle()),
         words: Words::default(),

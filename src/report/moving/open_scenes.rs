@@ -11,6 +11,7 @@ use super::scene::Scene;
 use crate::engine::{DELTA, Family, PHI};
 use crate::family;
 use crate::order::Masses;
+use crate::page::Text;
 use crate::proof::Quantity;
 use crate::report::texts::moving as text;
 use crate::verdict::Judgement;
@@ -46,18 +47,18 @@ fn one(family: &Family, orders: &[u32], moving: &str) -> Option<Scene> {
 }
 
 /// Which other angle does not move.
-fn held(fixed: &Values) -> Option<String> {
+fn held(fixed: &Values) -> Option<Text> {
     let symbol = |name: &str| name.replace(PHI, "φ").replace(DELTA, "δ");
     let one = |(name, value): (&String, &BigRational)| format!("{} = {}", symbol(name), typeset::turns(value));
     let all: Vec<String> = fixed.iter().map(one).collect();
-    (!all.is_empty()).then(|| format!("Held here: {}. The zeros shown hold for this value.", all.join(", ")))
+    (!all.is_empty()).then(|| text::held(all.join(", ")))
 }
 
 /// Which lengths the moment is drawn with.
-fn lengths_drawn(lengths: &Values) -> Option<String> {
+fn lengths_drawn(lengths: &Values) -> Option<Text> {
     let one = |(name, value): (&String, &BigRational)| format!("{name} = {}", typeset::number(value));
     let all: Vec<String> = lengths.iter().map(one).collect();
-    (!all.is_empty()).then(|| text::open_lengths(all.join(", ")).plain())
+    (!all.is_empty()).then(|| text::open_lengths(all.join(", ")))
 }
 
 /// Unknowns by name with their values: angles in turns.

@@ -2,11 +2,12 @@
 
 use serde::Serialize;
 
+use crate::page::Text;
 use crate::proof::Sense;
 
 /// An engine in motion, as the script of the page reads it. Angles are in degrees, in the sense in which the crank turns: anticlockwise from
 /// where it is seen.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, Serialize)]
 pub struct Scene {
     /// What the engine is called.
     pub title: String,
@@ -24,7 +25,8 @@ pub struct Scene {
     /// The angle that is open, where there is one.
     pub angle: Option<MovingAngle>,
     /// What is to be known of the drawing.
-    pub notes: Vec<String>,
+    #[serde(skip)]
+    pub notes: Vec<Text>,
     /// The words that the script puts together.
     pub words: Words,
 }

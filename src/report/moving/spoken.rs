@@ -16,7 +16,6 @@ impl Scene {
             angle.name = language.fixed(angle.name);
             angle.start.speak(language);
         }
-        scene.notes.iter_mut().for_each(|note| label(note, language));
         scene.words.speak(language);
         scene
     }
