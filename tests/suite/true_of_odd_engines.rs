@@ -314,6 +314,22 @@ fn tables_of_stars_tell_arms_and_weights_of_all_that_turns() {
     tells(&said("report", "inline = { throws = [0, 120, 240] }", &[]), &["The weight"], &["A mass that turns with"]);
 }
 
+/// Only what has an open length has moments that vanish for all lengths, and what stands behind ≈ is a residue as well.
+#[test]
+fn the_legend_of_a_family_speaks_of_lengths_only_where_some_are_open() {
+    let fan = "[fan]\nbanks = ['-phi', 0, 'phi']\nthrows = [0, 'delta', 180]\npositions = ['3a+b', 'a', '-2a-b']\nbank_offsets = ['b', 0, '-b']\n";
+    let valued = format!("values = {{ a = '22 mm', b = '16 mm' }}\n{fan}");
+    let residues = "behind ≡ and ≈ they are modulo 360°";
+    tells(
+        &said("report", &valued, &["--orders", "1", "--format", "markdown"]),
+        &["2φ ≈ 113.3°", residues],
+        &["for all lengths"],
+    );
+    tells(&said("classify", &valued, &["--orders", "1"]), &[residues], &["lengths"]);
+    let open = "[vee]\nbank_angle = 'phi'\nthrows = [0, 180]\npositions = ['a', 0]\n";
+    tells(&said("report", open, &["--orders", "1"]), &[residues, "a vanishing moment vanishes for all lengths"], &[]);
+}
+
 /// The short names of masses that turn are explained where the tables are, also where no drawing has them, and in German.
 #[test]
 fn short_names_in_tables_are_explained_in_every_format() {

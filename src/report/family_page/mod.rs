@@ -45,7 +45,7 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
         summary: family_summary(family, orders).into(),
         asked: asked(family).into(),
         verdicts: tables::summary(orders).into(),
-        legend: [text::legend(hang_on_lengths(orders))].into(),
+        legend: [text::legend(lengths(family, orders))].into(),
         amplitudes: amplitude_picture(family, orders).into(),
         maps: map::maps(family, orders).into_iter().collect(),
         in_motion: scenes.unwrap_or_default().into(),
@@ -89,7 +89,7 @@ pub(super) fn section(member: &Engine, family: &Family, orders: &[OpenOrder]) ->
     let mut blocks = vec![Block::Heading(1, "For all lengths".into())];
     blocks.extend(has_others.then(|| text::pistons_alone().into()));
     blocks.push(Block::Paragraph(left_open(family)));
-    blocks.extend([tables::summary(orders).into(), Block::Note(text::legend(hang_on_lengths(orders)))]);
+    blocks.extend([tables::summary(orders).into(), Block::Note(text::legend(lengths(family, orders)))]);
     blocks.extend(amplitude_picture(family, orders));
     for order in orders {
         let summary = phrase!("Order {}, all lengths", order.order);
@@ -176,6 +176,16 @@ fn answer(family: &Family, orders: &[OpenOrder]) -> Vec<Text> {
 /// Whether some moment may vanish for given lengths where it does not for all.
 fn hang_on_lengths(orders: &[OpenOrder]) -> bool {
     orders.iter().flat_map(|order| &order.moment).any(OpenVerdict::hangs_on_lengths)
+}
+
+/// Where moments vanish: for all lengths, for all while others may for some, or no length is open.
+fn lengths(family: &Family, orders: &[OpenOrder]) -> Choice {
+    let is_open = family.unknowns().into_iter().any(|name| ![PHI, DELTA].contains(&name));
+    match (is_open, hang_on_lengths(orders)) {
+        (false, _) => Choice::of(0),
+        (true, false) => Choice::of(1),
+        (true, true) => Choice::of(2),
+    }
 }
 
 /// For which angles a vector vanishes, a sentence each, where that is solved.
