@@ -330,6 +330,20 @@ fn the_legend_of_a_family_speaks_of_lengths_only_where_some_are_open() {
     tells(&said("report", open, &["--orders", "1"]), &[residues, "a vanishing moment vanishes for all lengths"], &[]);
 }
 
+/// ψ is 0 where the crank points along the axis; the gas may count its angles from where the piston is farthest out.
+#[test]
+fn a_page_of_angles_says_from_where_each_cylinder_counts() {
+    let single = "speed = 2400\ncycle = 'four-stroke'\n[inline]\nthrows = [20]\n[mechanism]\nstroke = '80 mm'\nrod_length = '140 mm'\n\
+        reciprocating_mass = '0.6 kg'\npin_offset = '-8 mm'\n[gas]\nbore = '80 mm'\ndead_centre = 'piston'\nprocess = 'spark-ignition'\n\
+        compression_ratio = 9\npeak_pressure = '60 bar'\n";
+    let page = said("angle", single, &["--at", "340", "--format", "markdown"]);
+    tells(
+        &page,
+        &["| 340° | ≈ 0 |", "ψ is 0 where the crank of the cylinder points along its axis"],
+        &["ψ is the crank angle after"],
+    );
+}
+
 /// The short names of masses that turn are explained where the tables are, also where no drawing has them, and in German.
 #[test]
 fn short_names_in_tables_are_explained_in_every_format() {
