@@ -344,6 +344,15 @@ fn a_page_of_angles_says_from_where_each_cylinder_counts() {
     );
 }
 
+#[test]
+fn several_bearings_of_geared_crankshafts_are_named_in_german() {
+    let twin = "speed = 1600\nbearings = ['200 mm', '70 mm', '-70 mm', '-200 mm']\n[opposed_piston]\nthrows = [0, 120, 240]\nlead = 11\n\
+        leading = 'lower'\nsense = 'against'\ndistance = '900 mm'\nspacing = '130 mm'\n[mechanism]\nstroke = ['120 mm', '120 mm', '120 mm', '100 mm', '100 mm', '100 mm']\n\
+        rod_length = '220 mm'\nreciprocating_mass = 4\nrotating_mass = 3\n";
+    let page = said("report", twin, &["--lang", "de", "--format", "markdown"]);
+    tells(&page, &["Lager unten 2, unten 3"], &["lower 2", "lower 3"]);
+}
+
 /// The short names of masses that turn are explained where the tables are, also where no drawing has them, and in German.
 #[test]
 fn short_names_in_tables_are_explained_in_every_format() {

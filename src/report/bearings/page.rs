@@ -21,8 +21,13 @@ pub(in crate::report) fn worst(loads: &BearingLoads) -> Option<Text> {
 pub(in crate::report) fn called(names: &[String]) -> Text {
     match names {
         [only] => phrase!("bearing {}", only.clone()),
-        several => phrase!("bearings {}", several.join(", ")),
+        several => phrase!("bearings {}", listed(several)),
     }
+}
+
+/// Names in a row, each a label by itself: a list in another language has it alone.
+fn listed(names: &[String]) -> Text {
+    Text::joined(names.iter().cloned().map(Text::label), ", ")
 }
 
 /// What the bearings with the largest peak are called.
@@ -51,7 +56,7 @@ pub(in crate::report) fn peaks_in_words(loads: &BearingLoads) -> Text {
     let worst = match numbers.as_slice() {
         [] => "none is loaded".into(),
         [only] => text::worst(only.clone()),
-        several => text::several_worst(several.join(", ")),
+        several => text::several_worst(listed(several)),
     };
     text::peaks(unit.label(), peaks, worst)
 }
