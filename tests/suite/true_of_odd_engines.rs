@@ -353,6 +353,13 @@ fn several_bearings_of_geared_crankshafts_are_named_in_german() {
     tells(&page, &["Lager unten 2, unten 3"], &["lower 2", "lower 3"]);
 }
 
+#[test]
+fn proofs_of_open_firing_say_from_where_whole_orders_count() {
+    let twin = "cycle = 'four-stroke'\nfiring_angles = [0, '360 + phi']\n[vee]\nbank_angle = 'phi'\nthrows = [0]\n";
+    let page = said("firing", twin, &["--orders", "1", "--format", "markdown"]);
+    tells(&page, &["proofs of whole orders count them from θ = 0"], &[]);
+}
+
 /// The short names of masses that turn are explained where the tables are, also where no drawing has them, and in German.
 #[test]
 fn short_names_in_tables_are_explained_in_every_format() {
