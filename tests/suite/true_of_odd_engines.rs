@@ -360,6 +360,16 @@ fn proofs_of_open_firing_say_from_where_whole_orders_count() {
     tells(&page, &["proofs of whole orders count them from θ = 0"], &[]);
 }
 
+/// German names: a fan has no V angle, what a sum is has one name, and at a dot of a sweep the tip runs on a circle.
+#[test]
+fn german_drawings_name_angles_and_resultants_as_the_pages_do() {
+    let fan = said("report", "[fan]\nbanks = [-60, 'phi', 60]\nthrows = [0]\n", &["--lang", "de", "--format", "html"]);
+    tells(&fan, &["Bankwinkel φ"], &["V-Winkel"]);
+    let offset = SINGLE.replace("stroke", "pin_offset = '4 mm', stroke");
+    let drawn = said("report", &offset, &["--lang", "de", "--format", "html", "--orders", "1"]);
+    tells(&drawn, &[">Result. ≈ "], &["Summe ≈ "]);
+}
+
 /// The short names of masses that turn are explained where the tables are, also where no drawing has them, and in German.
 #[test]
 fn short_names_in_tables_are_explained_in_every_format() {
