@@ -11,6 +11,7 @@ use crankstar::torsion::{Excitation, Mode, Train, critical_speeds, forced_twist,
 use num_complex::Complex;
 use num_rational::BigRational;
 
+use super::true_sentences::said;
 use crate::support::dice::Dice;
 use crate::support::figure_texts::FigureTexts;
 use crate::support::german::phrases;
@@ -280,4 +281,19 @@ fn of_more_cylinders_than_24_the_first_major_order_is_added_too() {
     let study = TorsionStudy::new(&many_in_line(26), &[]).expect("a study");
     let resonances = table::csv(&study.table("resonances").expect("a table"));
     assert!(resonances.lines().any(|row| row.starts_with("1,26,")), "{resonances}");
+}
+
+/// A mode is a line for each shaft: none for gears, nor between discs whose numbers follow each other by chance.
+#[test]
+fn a_mode_of_a_train_is_drawn_along_its_shafts() {
+    let train = "speed = 1800\ncycle = 'two-stroke'\n[inline]\nthrows = [0, 120]\n[mechanism]\nstroke = '140 mm'\nrod_length = '260 mm'\nreciprocating_mass = '5 kg'\n\
+        [torsion]\ninertias = [0.2, 0.2, 2.5, 0.05, 0.8, 0.3]\nstiffnesses = ['1.5 MN m/rad', '2 MN m/rad']\n\
+        gear = [{ between = [3, 4], ratio = -2 }]\n\
+        shaft = [{ between = [4, 5], stiffness = '1 MN m/rad' }, { between = [3, 6], stiffness = '0.3 MN m/rad' }]\n";
+    let page = said("torsion", train, &["--format", "html"]);
+    let drawn =
+        page.split("a line joins the discs of a shaft.</title>").nth(1).expect("a drawing").split("</svg>").next();
+    let curve =
+        drawn.expect("a drawing").split("<path").find(|path| path.contains("stroke-width=\".45\"")).expect("a curve");
+    assert_eq!(curve.matches('M').count(), 4, "{curve}");
 }

@@ -14,15 +14,24 @@ const MOST_RAYS: usize = 5;
 /// The diagram goes so far beyond the speed of the layout, or the range where that is asked for.
 const BEYOND: f64 = 1.15;
 
+/// A point that is not drawn: the curve begins again behind it.
+const GAP: (f64, f64) = (f64::NAN, f64::NAN);
+
 /// The deflections of the first modes, disc by disc.
 pub(super) fn modes(study: &TorsionStudy) -> Picture {
     let discs = study.torsion().inertias.len();
+    let shafts = &study.torsion().shafts;
     let ticks = (1..=discs).map(|disc| disc as f64).collect();
     let x = Axis { ticks: Some(ticks), ..Axis::linear("Disc, from the free end") };
     let mut plot = Plot::new("Modes of the shaft", x, Axis::linear("Deflection, 1 at the first disc"));
     for (index, speeds) in study.modes.iter().take(MOST_MODES).enumerate() {
-        let points = speeds.mode.shape.iter().take(discs).enumerate().map(|(disc, value)| ((disc + 1) as f64, *value));
-        plot.curves.push(Curve::new(index, format!("mode {}", index + 1), points.collect()));
+        let at = |disc: usize| ((disc + 1) as f64, speeds.mode.shape[disc]);
+        let points = match study.is_row() {
+            true => (0..discs).map(at).collect(),
+            // A line for each shaft, and a gap between them: gears and the order of the numbers join nothing.
+            false => shafts.iter().flat_map(|shaft| [at(shaft.ends[0]), at(shaft.ends[1]), GAP]).collect(),
+        };
+        plot.curves.push(Curve::new(index, format!("mode {}", index + 1), points));
     }
     let caption = if study.is_row() { text::modes_of_shaft() } else { text::modes_of_train() };
     Picture::new("modes", caption, plot.figure())
