@@ -8,6 +8,7 @@ use crankstar::page::{Format, Options, Units};
 use crankstar::report::{FlywheelStudy, Question};
 use num_rational::BigRational;
 
+use super::true_sentences::said;
 use crate::support::dice::Dice;
 use crate::support::program::call;
 use crate::support::written::{assert_near, fraction};
@@ -268,4 +269,16 @@ fn the_command_shows_the_exact_values_and_its_tables() {
     let study = FlywheelStudy::new(diagram(TRIANGLES)).expect("it fits");
     let page = crankstar::page::write(&study.page(), Format::PLAIN, &Options::default()).remove(0).text;
     assert!(page.contains("237.5 N·m") && page.contains("3996 J"), "{page}");
+}
+
+#[test]
+fn a_value_at_a_step_says_on_which_side_it_is() {
+    let page = |angle: u32| {
+        let points = "[[0, 300], [45, 2400], [45, -1000], [180, 0], [360, 0]]";
+        said("flywheel", &format!("title = 'x'\npoints = {points}\nangles = [{angle}]\n"), &["--format", "markdown"])
+    };
+    let words = "At a step torque and load are those behind it.";
+    for (angle, is_said) in [(45, true), (405, true), (0, true), (90, false), (180, false)] {
+        assert_eq!(page(angle).contains(words), is_said, "at {angle}: {}", page(angle));
+    }
 }

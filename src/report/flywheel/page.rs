@@ -134,8 +134,22 @@ fn tables(study: &FlywheelStudy) -> Vec<Block> {
                 .done()
                 .into(),
         );
+        let has_step = TorqueCurve::new(&study.diagram)
+            .is_ok_and(|curve| found.angles.iter().any(|at| has_step(&curve, &at.angle)));
+        blocks.extend(has_step.then(|| Block::Note(text::at_a_step())));
     }
     blocks
+}
+
+/// Whether torque or load has two values at an angle.
+fn has_step(curve: &TorqueCurve, angle: &BigRational) -> bool {
+    let TorqueCurve::Lines(torque, load, _) = curve else { return false };
+    [torque, load].into_iter().any(|lines| {
+        let Some(end) = lines.last() else { return false };
+        let angle = angle - (angle / &end.to).floor() * &end.to;
+        let before = [end].into_iter().chain(lines);
+        before.zip(lines).any(|(before, behind)| behind.from == angle && before.last != behind.first)
+    })
 }
 
 /// An angle in turns that is known exactly.
