@@ -330,6 +330,16 @@ fn the_legend_of_a_family_speaks_of_lengths_only_where_some_are_open() {
     tells(&said("report", open, &["--orders", "1"]), &[residues, "a vanishing moment vanishes for all lengths"], &[]);
 }
 
+#[test]
+fn an_engine_at_rest_has_no_share_and_no_direction() {
+    let page = said("loads", AT_REST, &["--orders", "1,2", "--format", "markdown"]);
+    tells(
+        &page,
+        &["| 2 | force | **0** | **0** | – |", "| reciprocating masses | yes | orders 1, 2 | **0** | **0** |"],
+        &["≈ 0 N"],
+    );
+}
+
 /// ψ is 0 where the crank points along the axis; the gas may count its angles from where the piston is farthest out.
 #[test]
 fn a_page_of_angles_says_from_where_each_cylinder_counts() {

@@ -16,7 +16,7 @@ pub(super) fn effects(engine: &Engine, loads: &Loads, page: words::Sections) -> 
     let share = |group: Option<MassGroup>, (of, peak, unit): &(Planar, Peak, Unit)| -> Text {
         let Some(loads) = loads.groups.iter().find(|loads| Some(loads.group) == group) else { return "–".into() };
         let waveform = of.choose(&loads.force, &loads.moment);
-        match peak.value == 0.0 || waveform.harmonics().is_empty() {
+        match peak.value == 0.0 || unit.factor == 0.0 || waveform.harmonics().is_empty() {
             true => Text::zero(),
             false => phrase!("{} {}", Text::measured(share(waveform, peak) * unit.factor, unit.unit), unit.label()),
         }
@@ -74,7 +74,9 @@ fn ellipse(engine: &Engine, loads: &Loads, order: &OrderLoads, quantity: Planar)
         false => amounts::amount(value, unit),
     };
     row.push(part(swing.smallest(), swing.path.is_line));
-    row.push(swing.direction().map_or("–".into(), |degrees| phrase!("≈ {}°", Text::figures(degrees))));
+    // At rest there is nothing that could point anywhere.
+    let direction = swing.direction().filter(|_| unit.factor != 0.0);
+    row.push(direction.map_or("–".into(), |degrees| phrase!("≈ {}°", Text::figures(degrees))));
     row.push(part(swing.along(), swing.path.nothing_along));
     row.push(part(swing.across(), swing.path.nothing_across));
     row.push(match (quantity, Arm::of(engine)) {
