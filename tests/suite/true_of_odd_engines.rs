@@ -395,3 +395,12 @@ fn short_names_in_tables_are_explained_in_every_format() {
     let radial = printed(&["report", "radial-9-master", "--lang", "de", "--format", "html"]);
     tells(&radial, &[], &[" off<", " on<"]);
 }
+
+#[test]
+fn lengths_of_a_family_in_metres_have_their_unit() {
+    let layout = "values = { a = '22 mm' }\n[vee]\nbank_angle = 'phi'\nthrows = [0, 180]\npositions = ['a', '-0.03']\nbank_offset = '0.01'\n";
+    let page = said("report", layout, &["--format", "markdown", "--orders", "1"]);
+    tells(&page, &["| Moment, direct (m) | Moment, reverse (m) |", "about the plane z = −0.004 m."], &[]);
+    let spaced = said("report", "[vee]\nbank_angle = 'phi'\nthrows = [0, 180]\n", &["--format", "markdown"]);
+    tells(&spaced, &["| Moment, direct | Moment, reverse |", "about the plane z = 0."], &[]);
+}

@@ -44,7 +44,7 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
         family: family.title().into(),
         summary: family_summary(family, orders).into(),
         asked: asked(family).into(),
-        verdicts: tables::summary(orders).into(),
+        verdicts: tables::summary(family, orders).into(),
         legend: [text::legend(lengths(family, orders))].into(),
         amplitudes: amplitude_picture(family, orders).into(),
         maps: map::maps(family, orders).into_iter().collect(),
@@ -55,7 +55,7 @@ pub fn family_page(family: &Family, orders: &[OpenOrder], in_motion: bool) -> Do
         proofs: family_proofs(family, orders).into(),
         seen: [seen(family.convention())].into(),
         firing: [super::texts::engine::lagging_throw()].into(),
-        plane: unknowns::open_length(family.reference_plane()).into(),
+        plane: tables::place(family, family.reference_plane()),
         assumed: [super::texts::mechanism::equal_rods()].into(),
     };
     Document { name: "report", has_contents: true, ..page.document() }
@@ -89,7 +89,7 @@ pub(super) fn section(member: &Engine, family: &Family, orders: &[OpenOrder]) ->
     let mut blocks = vec![Block::Heading(1, "For all lengths".into())];
     blocks.extend(has_others.then(|| text::pistons_alone().into()));
     blocks.push(Block::Paragraph(left_open(family)));
-    blocks.extend([tables::summary(orders).into(), Block::Note(text::legend(lengths(family, orders)))]);
+    blocks.extend([tables::summary(family, orders).into(), Block::Note(text::legend(lengths(family, orders)))]);
     blocks.extend(amplitude_picture(family, orders));
     for order in orders {
         let summary = phrase!("Order {}, all lengths", order.order);
@@ -102,7 +102,7 @@ pub(super) fn section(member: &Engine, family: &Family, orders: &[OpenOrder]) ->
 pub fn family_answer(family: &Family, orders: &[OpenOrder]) -> Document {
     let mut page = Document::new("verdicts", family.title());
     page.blocks.extend(answer(family, orders).into_iter().map(Block::Paragraph));
-    page.push(tables::summary(orders));
+    page.push(tables::summary(family, orders));
     page.push(Block::Note(text::short_legend(hang_on_lengths(orders))));
     page
 }

@@ -2,14 +2,16 @@
 
 use super::super::table::phase_formula;
 use super::{unknowns, words};
-use crate::engine::{Family, LengthUnit};
+use crate::engine::{Family, LengthUnit, Linear};
 use crate::family::{self, OpenOrder};
 use crate::page::{Table, Text, phrase};
 use crate::proof::Sense;
 
 /// Orders × (force, moment) × (direct, reverse), for which angles each vanishes.
-pub(super) fn summary(orders: &[OpenOrder]) -> Table {
-    let mut table = Table::new(["Order", "Force, direct", "Force, reverse", "Moment, direct", "Moment, reverse"]);
+pub(super) fn summary(family: &Family, orders: &[OpenOrder]) -> Table {
+    let direct = heading(family, "Moment, direct ({})", "Moment, direct");
+    let reverse = heading(family, "Moment, reverse ({})", "Moment, reverse");
+    let mut table = Table::new(["Order".into(), "Force, direct".into(), "Force, reverse".into(), direct, reverse]);
     for order in orders {
         let cells = order.force.iter().chain(&order.moment).map(words::cell);
         table.push([Text::from(order.order)].into_iter().chain(cells).collect());
@@ -22,6 +24,15 @@ fn heading(family: &Family, in_metres: &'static str, bare: &'static str) -> Text
     match family.length_unit() {
         LengthUnit::Metre => phrase!(in_metres, "m".to_owned()),
         LengthUnit::Spacing => bare.into(),
+    }
+}
+
+/// A length that may be open, with its unit.
+pub(super) fn place(family: &Family, length: &Linear) -> Text {
+    let told = unknowns::open_length(length);
+    match (family.length_unit(), length.as_known()) {
+        (LengthUnit::Metre, Some(_)) => phrase!("{} {}", told, "m".to_owned()),
+        (LengthUnit::Metre, None) | (LengthUnit::Spacing, _) => told.into(),
     }
 }
 
