@@ -41,7 +41,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("table", 1500),
     ("text", 520),
     ("torque", 1225),
-    ("torsion", 945),
+    ("torsion", 1165),
     ("verdict", 1860),
     ("web", 880),
 ];

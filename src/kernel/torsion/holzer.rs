@@ -3,7 +3,11 @@
 //! H. Holzer, Die Berechnung der Drehschwingungen, 1921. The number of negative pivots of `K − ω²J` is that of the natural
 //! frequencies below ω (Sylvester's law of inertia), in a row and in a tree, so each is enclosed between neighbouring numbers.
 
+use std::ops::Range;
+
 use super::Train;
+use super::branch::count_below;
+use super::shapes::{Enclosed, shapes};
 
 /// A way in which the train vibrates by itself.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +18,8 @@ pub struct Mode {
     pub shape: Vec<f64>,
     /// Where it stands still.
     pub nodes: Vec<Node>,
+    /// The modes of its frequency by their numbers from 0, itself among them: mostly it alone.
+    pub alike: Range<usize>,
 }
 
 /// A place of a train that stands still in a mode.
@@ -37,8 +43,8 @@ impl Node {
 
 /// A first disc that moves less than this part of the largest deflection is taken for a node.
 const NODE: f64 = 1e-9;
-/// A disc that moves less than this part of those on both sides of it is a node but for rounding.
-const ROUNDING: f64 = 1e-13;
+/// Squares of frequencies that differ by less than this part are equal but for rounding, which is less in 200 discs.
+const EQUAL: f64 = 1e-12;
 
 impl Mode {
     /// Frequency in oscillations a second.
@@ -52,26 +58,36 @@ impl Mode {
     }
 }
 
-/// The elastic modes, rising; those in which the train or a ring without a spring turns as a whole are omitted.
+/// The elastic modes, rising; those in which the train or a ring without a spring turns as a whole are omitted. Those of equal frequency
+/// are orthogonal in the inertias: any sum of them is a mode too.
 pub fn modes(train: &Train) -> Vec<Mode> {
-    (1 + train.loose()..train.inertias.len()).map(|number| mode(train, number)).collect()
+    let rigid = 1 + train.loose();
+    let squares: Vec<f64> = (rigid..train.inertias.len()).map(|number| square(train, number)).collect();
+    let mut modes = Vec::new();
+    for equal in squares.chunk_by(|one, other| other - one <= EQUAL * other) {
+        let alike = modes.len()..modes.len() + equal.len();
+        let shapes = shapes_of(train, equal);
+        modes.extend(equal.iter().zip(shapes).map(|(square, shape)| {
+            let shape = scaled(train.of_discs(&shape));
+            Mode { omega: square.sqrt(), nodes: nodes(train, &shape), shape, alike: alike.clone() }
+        }));
+    }
+    modes
 }
 
-/// The mode with this many others below it, the rigid ones counted.
-fn mode(train: &Train, below: usize) -> Mode {
+/// The square of the frequency of the mode with this many others below it, the rigid ones counted.
+fn square(train: &Train, below: usize) -> f64 {
     let (mut low, mut high) = (0.0, no_square_above(train));
     loop {
         let middle = 0.5 * (low + high);
         if middle <= low || middle >= high {
-            break;
+            return high;
         }
-        match pivots(train, middle).into_iter().filter(|pivot| *pivot < 0.0).count() > below {
+        match count_below(train, middle) > below {
             true => high = middle,
             false => low = middle,
         }
     }
-    let shape = shape(train, high);
-    Mode { omega: high.sqrt(), nodes: nodes(train, &shape), shape }
 }
 
 /// No square of a natural frequency is above this (Gershgorin).
@@ -80,60 +96,23 @@ fn no_square_above(train: &Train) -> f64 {
     (0..train.inertias.len()).map(at).fold(0.0, f64::max) * (1.0 + 1e-12)
 }
 
-/// A pivot of zero is taken for one as small as its rounding: the next is huge, and of the other sign.
-fn not_zero(train: &Train, node: usize, pivot: f64) -> f64 {
-    if pivot == 0.0 { f64::EPSILON * train.held(node) } else { pivot }
+/// The deflections of the nodes in the modes of equal frequency, one each.
+fn shapes_of(train: &Train, equal: &[f64]) -> Vec<Vec<f64>> {
+    let held = vec![false; train.inertias.len()];
+    let (first, last) = (equal[0], equal[equal.len() - 1]);
+    let bounds =
+        Enclosed { below: first * (1.0 - 0.5 * EQUAL), at: equal[equal.len() / 2], above: last * (1.0 + 0.5 * EQUAL) };
+    shapes(train, &bounds, &held, train.inertias.len() - 1)
 }
 
-/// The diagonal of `K − ω²J`.
-fn diagonal(train: &Train, node: usize, square: f64) -> f64 {
-    train.held(node) - square * train.inertias[node]
-}
-
-/// The pivot of each node where all that hangs on it is eliminated: as many are negative as squares of natural frequencies are below.
-fn pivots(train: &Train, square: f64) -> Vec<f64> {
-    let mut pivots = vec![f64::INFINITY; train.inertias.len()];
-    for &node in &train.order {
-        let hanging: f64 =
-            train.children(node).map(|(child, link)| train.stiffness(link).powi(2) / pivots[child]).sum();
-        pivots[node] = not_zero(train, node, diagonal(train, node, square) - hanging);
-    }
-    pivots
-}
-
-/// The deflections at the square of a natural frequency: outwards from the node at which the equations fit best.
-fn shape(train: &Train, square: f64) -> Vec<f64> {
-    let up = pivots(train, square);
-    // The pivot of what a node hangs on, where all beyond that is eliminated, but not the node.
-    let mut down = vec![f64::INFINITY; up.len()];
-    let beyond = |node: usize, down: &[f64]| {
-        train.parents[node].map_or(0.0, |(_, link)| train.stiffness(link).powi(2) / down[node])
-    };
-    for &node in train.order.iter().rev() {
-        let Some((parent, _)) = train.parents[node] else { continue };
-        let others = train.children(parent).filter(|(child, _)| *child != node);
-        let hanging: f64 = others.map(|(child, link)| train.stiffness(link).powi(2) / up[child]).sum();
-        let pivot = diagonal(train, parent, square) - hanging - beyond(parent, &down);
-        down[node] = not_zero(train, parent, pivot);
-    }
-    let misfit = |node: usize| (up[node] - beyond(node, &down)).abs();
-    let start = (0..up.len()).min_by(|one, other| misfit(*one).total_cmp(&misfit(*other))).unwrap_or(0);
-    let mut shape = vec![0.0; up.len()];
-    shape[start] = 1.0;
-    let mut next = vec![(start, start)];
-    while let Some((node, from)) = next.pop() {
-        for &(other, link) in train.around[node].iter().filter(|(other, _)| *other != from) {
-            let is_parent = train.parents[node].is_some_and(|(parent, _)| parent == other);
-            shape[other] = train.stiffness(link) / if is_parent { down[node] } else { up[other] } * shape[node];
-            next.push((other, node));
-        }
-    }
-    let shape = at_rest(train, train.of_discs(&shape));
-    let largest =
-        shape.iter().copied().fold(0.0_f64, |most, value| if value.abs() > most.abs() { value } else { most });
+/// With 1 at the first disc; at the largest where the first is a node.
+fn scaled(shape: Vec<f64>) -> Vec<f64> {
+    let larger = |most: f64, value: f64| if value.abs() > most.abs() { value } else { most };
+    let largest = shape.iter().copied().fold(0.0, larger);
     let first = shape.first().copied().unwrap_or(1.0);
     let unit = if first.abs() > NODE * largest.abs() { first } else { largest };
-    shape.into_iter().map(|value| value / unit).collect()
+    // A zero has no sign.
+    shape.into_iter().map(|value| value / unit + 0.0).collect()
 }
 
 /// The discs that shafts and springs join to a disc.
@@ -143,17 +122,6 @@ fn around(train: &Train, disc: usize) -> impl Iterator<Item = usize> {
         [one, other] if other == disc => Some(one),
         _ => None,
     })
-}
-
-/// The deflections of the discs, 0 where only rounding moves one between others that swing against each other.
-fn at_rest(train: &Train, mut shape: Vec<f64>) -> Vec<f64> {
-    for disc in 0..shape.len() {
-        let far = |sign: f64| around(train, disc).map(|other| sign * shape[other]).fold(0.0, f64::max);
-        if shape[disc].abs() < ROUNDING * far(1.0).min(far(-1.0)) {
-            shape[disc] = 0.0;
-        }
-    }
-    shape
 }
 
 /// In each shaft whose ends swing against each other there is one, and at each disc at rest between such discs.

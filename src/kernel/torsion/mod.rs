@@ -5,6 +5,7 @@
 //! `(K(1+iη) + iΩC − Ω²J) Θ = M → amplitudes, torques, heat`. A train without damping is the one with η = c = 0 (theory, section 13). Mode shapes are
 //! decimals, and so are their stars; the star of a rigid crankshaft is exact.
 
+mod branch;
 mod critical;
 mod damper;
 mod energy;
@@ -13,6 +14,7 @@ mod holzer;
 mod limit;
 mod mesh;
 mod peak;
+mod shapes;
 mod synthesis;
 mod train;
 
