@@ -269,6 +269,11 @@ fn what_is_at_rest_in_a_mode_has_no_star_there() {
     assert!(first.orders.iter().all(|order| order.star.norm() == 0.0));
     let answer = pages::text(&study.answer(), Format::PLAIN);
     assert!(answer.contains("No order shown excites the first of them up to 1000 rpm."), "{answer}");
+    let page = pages::text(&study.page(), Format::PLAIN);
+    assert!(!page.contains("NaN"), "{page}");
+    // All cranks are at rest: no part of nothing.
+    let critical = table::csv(&study.table("critical").expect("a table"));
+    assert!(critical.lines().filter(|row| row.starts_with("1,")).all(|row| row.ends_with(",0,0")), "{critical}");
 }
 
 /// A shaft that is its own mirror image has a node in its middle.

@@ -36,6 +36,13 @@ pub struct CriticalSpeeds {
     pub orders: Vec<Critical>,
 }
 
+impl CriticalSpeeds {
+    /// The star of an order as a part of the longest possible; 0 where all cylinders are at rest.
+    pub fn part(&self, critical: &Critical) -> f64 {
+        if self.longest == 0.0 { 0.0 } else { critical.star.norm() / self.longest }
+    }
+}
+
 /// A star shorter than this part of the longest possible is rounding.
 const ROUNDING: f64 = 1e-12;
 

@@ -55,8 +55,7 @@ fn critical(study: &TorsionStudy) -> Table {
     table.exact("order", Unit::NONE, |(.., order)| Some(order.order.exact().to_string()));
     table.decimal("speed_{unit}", Unit::PER_MINUTE, |(.., order)| Some(order.rpm));
     table.decimal("star", Unit::NONE, |(.., order)| Some(order.star.norm()));
-    let longest = |mode: usize| study.modes[mode - 1].longest;
-    table.decimal("part_{unit}", Unit::PERCENT, |(mode, _, order)| Some(100.0 * order.star.norm() / longest(*mode)));
+    table.decimal("part_{unit}", Unit::PERCENT, |(mode, _, order)| Some(100.0 * study.modes[mode - 1].part(order)));
     table.done()
 }
 

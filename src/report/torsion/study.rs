@@ -144,7 +144,7 @@ impl TorsionStudy {
     pub(super) fn strongest<'b>(&self, mode: &'b CriticalSpeeds) -> Vec<&'b Critical> {
         let met = |critical: &&Critical| self.highest_speed().is_none_or(|speed| critical.rpm <= speed);
         let mut orders: Vec<&Critical> = mode.orders.iter().filter(met).collect();
-        let in_steps = |critical: &Critical| (critical.star.norm() / mode.longest / ALIKE).round();
+        let in_steps = |critical: &Critical| (mode.part(critical) / ALIKE).round();
         orders.sort_by(|one, other| in_steps(other).total_cmp(&in_steps(one)).then(one.order.cmp(&other.order)));
         orders.retain(|critical| !critical.vanishes && in_steps(critical) > 0.0);
         orders

@@ -95,7 +95,7 @@ fn critical_of(study: &TorsionStudy, is_shown: impl Fn(CycleOrder) -> bool) -> T
             .column(phrase!("Mode {} at (rpm)", index + 1), |(row, _)| Number::Decimal(speeds.orders[*row].rpm))
             .column(phrase!("Star of mode {}", index + 1), |(row, _)| {
                 let critical = &speeds.orders[*row];
-                if critical.vanishes { Text::zero() } else { part(critical.star.norm() / speeds.longest) }
+                if critical.vanishes { Text::zero() } else { part(speeds.part(critical)) }
             })
     });
     with_modes.done()

@@ -91,13 +91,11 @@ fn frequencies(study: &TorsionStudy) -> Vec<Text> {
             given_rpm(speed),
             critical.order.to_string(),
             rpm(critical.rpm),
-            part(critical.star.norm() / first.longest),
+            part(first.part(critical)),
         ),
-        (Some(critical), None) => text::strongest_order(
-            critical.order.to_string(),
-            rpm(critical.rpm),
-            part(critical.star.norm() / first.longest),
-        ),
+        (Some(critical), None) => {
+            text::strongest_order(critical.order.to_string(), rpm(critical.rpm), part(first.part(critical)))
+        }
     });
     lines
 }
