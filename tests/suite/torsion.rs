@@ -246,6 +246,11 @@ fn small_symmetric_trains_have_all_their_modes() {
     }
 }
 
+/// A page without its line breaks.
+fn unbroken(page: &Document) -> String {
+    pages::text(page, Format::PLAIN).split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
 /// A layout of discs and shafts, its cranks and its torque.
 fn study(text: &str) -> TorsionStudy {
     let engine = file::parse("train.toml", text).unwrap_or_else(|error| panic!("{error}"));
@@ -274,6 +279,43 @@ fn what_is_at_rest_in_a_mode_has_no_star_there() {
     // All cranks are at rest: no part of nothing.
     let critical = table::csv(&study.table("critical").expect("a table"));
     assert!(critical.lines().filter(|row| row.starts_with("1,")).all(|row| row.ends_with(",0,0")), "{critical}");
+}
+
+/// Three equal discs on a hub have two modes of one frequency: an order works on their space, whichever of them are shown.
+#[test]
+fn modes_of_equal_frequency_are_told_and_each_has_its_star() {
+    let three = |pins: &str| {
+        study(&format!(
+            "cycle = 'two-stroke'\nspeed = '3000 rpm'\nfiring_angles = [0, 180]\n[inline]\nthrows = [0, 180]\n\
+             [torsion]\ninertias = [0.1, 0.05, 0.05, 0.05]\nstiffnesses = []\ncrankpins_at = {pins}\nloss_factor = 0.01\n\
+             speed_range = ['3000 rpm', '20000 rpm']\n\
+             [[torsion.shaft]]\nbetween = [1, 2]\nstiffness = 50000\n[[torsion.shaft]]\nbetween = [1, 3]\nstiffness = 50000\n\
+             [[torsion.shaft]]\nbetween = [1, 4]\nstiffness = 50000\n[[torsion.harmonic]]\norder = 1\ntorque = 100\n"
+        ))
+    };
+    for pins in ["[2, 3]", "[3, 4]", "[2, 4]"] {
+        let study = three(pins);
+        // Order 1 turns the two cranks against each other: the parts of that in both modes add up to all of it.
+        let stars = study.modes[..2].iter().map(|speeds| {
+            let star = speeds.orders.iter().find(|one| one.order.halves() == 2).expect("order 1").star.norm();
+            star * star / study.train.inertia_of(&speeds.mode.shape)
+        });
+        assert_near(stars.sum(), 4.0 / (2.0 * 0.05), 1e-12);
+        let [page, answer] = said_in_german(&study).map(|page| unbroken(&page));
+        assert!(answer.contains("Modes of equal frequency: 1–2."), "{answer}");
+        assert!(answer.contains("than order 1: its critical speed is 9549 rpm"), "{answer}");
+        assert!(page.contains("Modes of equal frequency: 1–2."), "{page}");
+        let peaks: Vec<f64> = study.resonances()[..2].iter().map(|one| one.peak.expect("a peak").1).collect();
+        assert!(peaks.iter().all(|peak| (peak - 10_000.0).abs() < 5.0), "{peaks:?}");
+    }
+    // One crank alone is at rest in one of the two, which is told second.
+    let one = study(
+        "cycle = 'two-stroke'\nspeed = '20000 rpm'\nfiring_angles = [0]\n[inline]\nthrows = [0]\n\
+         [torsion]\ninertias = [0.1, 0.05, 0.05, 0.05]\nstiffnesses = []\ncrankpins_at = [4]\n\
+         [[torsion.shaft]]\nbetween = [1, 2]\nstiffness = 50000\n[[torsion.shaft]]\nbetween = [1, 3]\nstiffness = 50000\n\
+         [[torsion.shaft]]\nbetween = [1, 4]\nstiffness = 50000\n",
+    );
+    assert!(one.modes[0].longest > 0.0 && one.modes[1].longest == 0.0, "{:?}", one.modes);
 }
 
 /// A shaft that is its own mirror image has a node in its middle.

@@ -66,10 +66,10 @@ pub fn modes(train: &Train) -> Vec<Mode> {
     let mut modes = Vec::new();
     for equal in squares.chunk_by(|one, other| other - one <= EQUAL * other) {
         let alike = modes.len()..modes.len() + equal.len();
-        let shapes = shapes_of(train, equal);
-        modes.extend(equal.iter().zip(shapes).map(|(square, shape)| {
+        let omega = equal[equal.len() / 2].sqrt();
+        modes.extend(shapes_of(train, equal).into_iter().map(|shape| {
             let shape = scaled(train.of_discs(&shape));
-            Mode { omega: square.sqrt(), nodes: nodes(train, &shape), shape, alike: alike.clone() }
+            Mode { omega, nodes: nodes(train, &shape), shape, alike: alike.clone() }
         }));
     }
     modes

@@ -118,8 +118,9 @@ impl TorsionStudy {
     fn resonance(&self, index: usize, order: CycleOrder, [from, to]: [f64; 2]) -> Option<ResonanceOrder> {
         let hertz = |at: usize| self.modes.get(at).map(|speeds| speeds.mode.hertz());
         let own = hertz(index)?;
-        let below = index.checked_sub(1).and_then(hertz).map_or(0.5 * own, |other| 0.5 * (other + own));
-        let above = hertz(index + 1).map_or(1.5 * own, |other| 0.5 * (other + own));
+        let alike = &self.modes[index].mode.alike;
+        let below = alike.start.checked_sub(1).and_then(hertz).map_or(0.5 * own, |other| 0.5 * (other + own));
+        let above = hertz(alike.end).map_or(1.5 * own, |other| 0.5 * (other + own));
         let [low, rpm, high] = [below, own, above].map(|hertz| order.rpm(hertz));
         if high < from || low > to {
             return None;

@@ -23,7 +23,7 @@ const ALIKE: f64 = 1e-9;
 pub struct TorsionStudy {
     /// The engine.
     pub engine: Engine,
-    /// The modes, rising.
+    /// The modes, rising; of equal frequencies those first that an order excites.
     pub modes: Vec<CriticalSpeeds>,
     /// The speed of the layout in revolutions a minute, where it has one above 0.
     pub speed: Option<f64>,
@@ -85,13 +85,22 @@ impl TorsionStudy {
             train,
             excited: OnceLock::new(),
             cached: Cached::default(),
-        })
+        }
+        .sorted())
+    }
+
+    /// With the modes of equal frequency that an order excites before the others: so the first is excited where its frequency is.
+    fn sorted(mut self) -> Self {
+        let mut modes = std::mem::take(&mut self.modes);
+        modes.sort_by_cached_key(|speeds| (speeds.mode.alike.start, self.strongest(speeds).is_empty()));
+        self.modes = modes;
+        self
     }
 
     /// The same at another speed than that of the layout, in revolutions a minute.
     #[must_use]
     pub fn at(self, speed: f64) -> Self {
-        TorsionStudy { speed: Some(speed), cached: Cached::default(), ..self }
+        TorsionStudy { speed: Some(speed), cached: Cached::default(), ..self }.sorted()
     }
 
     /// Its shaft.

@@ -76,14 +76,21 @@ pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
 fn frequencies(study: &TorsionStudy) -> Vec<Text> {
     let mut lines = Vec::new();
     let Some(first) = study.modes.first() else { return lines };
-    lines.push(match study.modes.get(1) {
-        _ if !study.is_row() => {
+    let nodes: Vec<usize> = study.modes.iter().take(2).map(|speeds| speeds.mode.nodes()).collect();
+    lines.push(match (nodes.as_slice(), study.modes.get(1)) {
+        ([1], None) if study.is_row() => text::first_frequency(hertz(first)),
+        ([1, 2], Some(second)) if study.is_row() => text::two_frequencies(hertz(first), hertz(second)),
+        _ => {
             let first = study.modes.iter().take(MOST_MODES).map(hertz);
             text::natural_frequencies(Text::joined(first, ", "))
         }
-        None => text::first_frequency(hertz(first)),
-        Some(second) => text::two_frequencies(hertz(first), hertz(second)),
     });
+    let mut equal: Vec<_> = study.modes.iter().map(|speeds| &speeds.mode.alike).filter(|one| one.len() > 1).collect();
+    equal.dedup();
+    if !equal.is_empty() {
+        let groups = equal.iter().map(|alike| format!("{}–{}", alike.start + 1, alike.end).into());
+        lines.push(text::equal_frequencies(Text::joined(groups, ", ")));
+    }
     lines.push(match (study.strongest(first).first(), study.highest_speed()) {
         (None, Some(speed)) => text::none_excites_below(given_rpm(speed)),
         (None, None) => text::none_excites(),
