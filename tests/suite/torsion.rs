@@ -276,6 +276,17 @@ fn what_is_at_rest_in_a_mode_has_no_star_there() {
     assert!(answer.contains("No order shown excites the first of them up to 1000 rpm."), "{answer}");
     let page = pages::text(&study.page(), Format::PLAIN);
     assert!(!page.contains("NaN"), "{page}");
+    // A damper there has no part in that mode, on a spring or without one.
+    for spring in ["", "stiffness = 'best'\n"] {
+        let damped =
+            self::study(&format!("{TWIN_SCREWS}[[torsion.damper]]\ndisc = 1\ninertia = 1\ndamping = 'best'\n{spring}"));
+        let [damper] = damped.dampers() else { panic!("one damper") };
+        assert_eq!(damper.in_mode.mass_ratio, 0.0);
+        assert!(damper.found.is_none());
+        let [page, answer] = said_in_german(&damped).map(|page| unbroken(&page));
+        assert!(answer.contains("Damper at disc 1: that disc is at rest in the first mode"), "{answer}");
+        assert!(!page.contains("NaN"), "{page}");
+    }
     // All cranks are at rest: no part of nothing.
     let critical = table::csv(&study.table("critical").expect("a table"));
     assert!(critical.lines().filter(|row| row.starts_with("1,")).all(|row| row.ends_with(",0,0")), "{critical}");

@@ -20,7 +20,7 @@ pub struct DamperSetting {
 /// A damper in the first mode of the train without dampers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DamperInMode {
-    /// Inertia of the ring over that of the mode.
+    /// Inertia of the ring over that of the mode; 0 where the disc of the damper is at rest in it.
     pub mass_ratio: f64,
     /// Angular frequency of the mode.
     pub omega: f64,
@@ -43,9 +43,12 @@ pub fn formula(mass_ratio: f64, is_tuned: bool) -> (f64, f64, f64) {
 
 /// A damper of an engine in the first mode of the train without dampers; none where that has no mode.
 pub fn in_first_mode(bare: &Train, damper: &engine::Damper) -> Option<DamperInMode> {
-    let first: Mode = modes(bare).into_iter().next()?;
+    let modes_of_bare = modes(bare);
+    let first = modes_of_bare.first()?;
     let ring = float(&damper.inertia);
-    let mass_ratio = ring * first.shape[damper.disc].powi(2) / bare.inertia_of(&first.shape);
+    // Of modes of equal frequency, the sum of them in which the disc moves most.
+    let part = |mode: &Mode| mode.shape[damper.disc].powi(2) / bare.inertia_of(&mode.shape);
+    let mass_ratio = ring * modes_of_bare[first.alike.clone()].iter().map(part).sum::<f64>();
     let (zeta, f, peak) = formula(mass_ratio, damper.stiffness.is_some());
     let best = DamperSetting { stiffness: ring * (f * first.omega).powi(2), damping: 2.0 * ring * first.omega * zeta };
     let mut held = bare.clone();
@@ -86,10 +89,6 @@ pub fn search(train: &Train, link: usize, start: DamperSetting, peak: &dyn Fn(&T
         (train.links[link].stiffness, train.links[link].damping) = (stiffness, damping);
         peak(&train)
     };
-    // At a node of the mode the formula has no damping, and no ring damps it.
-    if start.damping == 0.0 {
-        return (start, at(start.stiffness, start.damping));
-    }
     let best_damping = |stiffness: f64| {
         let [low, high] = [start.damping / DAMPING, start.damping * DAMPING].map(f64::ln);
         let (damping, least) = highest(low, high, DAMPINGS, &|value| -at(stiffness, value.exp()));

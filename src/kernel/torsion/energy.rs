@@ -18,15 +18,20 @@ pub struct Resonance {
 }
 
 impl Resonance {
-    /// By how much the resonance magnifies.
-    pub fn magnifier(&self) -> f64 {
-        self.amplitude / self.equilibrium
+    /// By how much the resonance magnifies; none where the torque does no work on the mode.
+    pub fn magnifier(&self) -> Option<f64> {
+        (self.equilibrium > 0.0).then(|| self.amplitude / self.equilibrium)
     }
 }
 
+/// Work that is less than this part of that of all torques is rounding.
+const ROUNDING: f64 = 1e-12;
+
 /// What torques on the discs do at the natural frequency of a mode; infinite where nothing damps it.
 pub fn resonance(train: &Train, mode: &Mode, torques: &[Complex<f64>]) -> Resonance {
-    let work: Complex<f64> = torques.iter().zip(&mode.shape).map(|(torque, deflection)| torque * deflection).sum();
+    let works = || torques.iter().zip(&mode.shape).map(|(torque, deflection)| torque * deflection);
+    let work = works().sum::<Complex<f64>>().norm();
+    let work = if work > ROUNDING * works().map(|one| one.norm()).sum::<f64>() { work } else { 0.0 };
     let omega = mode.omega;
     let discs = train.discs.iter().zip(&mode.shape).map(|(disc, deflection)| disc.damping * deflection.powi(2));
     let links = train.links.iter().map(|link| {
@@ -41,7 +46,7 @@ pub fn resonance(train: &Train, mode: &Mode, torques: &[Complex<f64>]) -> Resona
     });
     let taken = omega * discs.sum::<f64>() + links.sum::<f64>();
     Resonance {
-        amplitude: work.norm() / taken,
-        equilibrium: work.norm() / (omega * omega * train.inertia_of(&mode.shape)),
+        amplitude: if work > 0.0 { work / taken } else { 0.0 },
+        equilibrium: work / (omega * omega * train.inertia_of(&mode.shape)),
     }
 }

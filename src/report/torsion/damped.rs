@@ -14,8 +14,8 @@ use crate::engine::{self, CycleOrder};
 use crate::motion::golden_section;
 use crate::numbers::float;
 use crate::torsion::{
-    self, DamperSetting, Excitation, HIGHEST_RATIO, Heat, Link, StressLimit, Train, beside, forced_twist, heat,
-    highest, mesh_torques, peaks, resonance, shaft_torques,
+    self, DamperSetting, Excitation, HIGHEST_RATIO, Heat, Link, Mode, Resonance, StressLimit, Train, beside,
+    forced_twist, heat, highest, mesh_torques, peaks, resonance, shaft_torques,
 };
 
 /// A range is divided into this many speeds.
@@ -305,7 +305,8 @@ impl TorsionStudy {
         let in_mode = torsion::in_first_mode(bare, damper)?;
         let link = self.train.shafts + index;
         let Link { stiffness, damping, .. } = self.train.links[link];
-        let found = self.most_work(bare).map(|(order, is_bounded)| {
+        let most_work = self.most_work(bare).filter(|_| in_mode.mass_ratio > 0.0);
+        let found = most_work.map(|(order, is_bounded)| {
             let middle = order.rpm(in_mode.omega / TAU);
             let above = torsion::modes(bare).get(1).map_or(1.5, |second| 0.5 * (1.0 + second.omega / in_mode.omega));
             // The damper moves the mode, and a ring on a spring makes two of it: both are in the range.
@@ -331,19 +332,24 @@ impl TorsionStudy {
     }
 
     /// The order of the torque with the most work in the first mode of the train without dampers, in the range where there is one, and
-    /// whether something else damps that mode.
+    /// whether something else damps that mode. Modes of equal frequency count together.
     fn most_work(&self, bare: &Train) -> Option<(CycleOrder, bool)> {
-        let first = torsion::modes(bare).into_iter().next()?;
+        let modes = torsion::modes(bare);
+        let first = modes.first()?;
         let excited = self.damped()?;
         let range = self.range().unwrap_or([0.0, f64::INFINITY]);
         let work = |order: CycleOrder| {
             let rpm = order.rpm(first.hertz());
             let is_met = (range[0]..=range[1]).contains(&rpm) && !excited.is_still(order);
             let torques = excited.torques(order, rpm).filter(|_| is_met)?;
-            Some((order, resonance(bare, &first, &torques)))
+            let alike = modes[first.alike.clone()].iter().map(|mode| (mode, resonance(bare, mode, &torques)));
+            let part = |(mode, at): &(&Mode, Resonance)| bare.inertia_of(&mode.shape) * at.equilibrium.powi(2);
+            let work: f64 = alike.clone().map(|one| part(&one)).sum();
+            let is_bounded = alike.into_iter().all(|(_, at)| at.amplitude.is_finite());
+            (work > 0.0).then_some((order, work, is_bounded))
         };
         let works = excited.orders().filter_map(work);
-        let most = works.max_by(|one, other| one.1.equilibrium.total_cmp(&other.1.equilibrium));
-        most.map(|(order, resonance)| (order, resonance.amplitude.is_finite()))
+        let most = works.max_by(|one, other| one.1.total_cmp(&other.1));
+        most.map(|(order, _, is_bounded)| (order, is_bounded))
     }
 }

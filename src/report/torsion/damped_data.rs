@@ -42,7 +42,7 @@ pub(super) fn resonances(study: &TorsionStudy) -> Option<Table> {
         Some(one.at_first(one.energy.amplitude).to_degrees())
     });
     table.decimal("equilibrium_{unit}", Unit::DEGREE, |one| Some(one.at_first(one.energy.equilibrium).to_degrees()));
-    table.decimal("magnifier", Unit::NONE, |one| Some(one.energy.magnifier()));
+    table.decimal("magnifier", Unit::NONE, |one| one.energy.magnifier());
     table.whole("shaft", |one| one.shaft + 1);
     table.decimal("torque_zero_to_peak_{unit}", Unit::NEWTON_METRE, |one| Some(one.torque));
     table.decimal("peak_speed_{unit}", Unit::PER_MINUTE, |one| one.peak.map(|peak| peak.0));

@@ -148,7 +148,7 @@ pub struct DamperStudy {
     pub in_mode: DamperInMode,
     /// Its setting.
     pub setting: DamperSetting,
-    /// What a search finds, where a torque excites the train.
+    /// What a search finds, where a torque excites the first mode and the disc moves in it.
     pub found: Option<FoundDamper>,
 }
 

@@ -151,6 +151,9 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
         lines.extend(one.barred.as_ref().map(|range| barred::said(study, one, range)));
     }
     for (damper, given) in study.dampers().iter().zip(&study.torsion().dampers) {
+        if damper.in_mode.mass_ratio == 0.0 {
+            lines.push(text::damper_at_rest(given.disc + 1));
+        }
         if let Some(found) = &damper.found {
             let settings = [damper.setting, damper.in_mode.best, found.best];
             let [own, by_formula, by_search] = settings.map(|setting| damping(setting.damping));
