@@ -7,8 +7,8 @@ use crankstar::file;
 use crankstar::page::Format;
 use crankstar::report::{Question, TorsionStudy};
 use crankstar::torsion::{
-    Excitation, StressLimit, Train, barred, forced_twist, formula, half_range, heat, highest, modes, search,
-    shaft_torques,
+    DamperSetting, Excitation, StressLimit, Train, barred, forced_twist, formula, half_range, heat, highest, modes,
+    search, shaft_torques,
 };
 use num_complex::Complex;
 
@@ -713,6 +713,39 @@ fn the_search_finds_dampers_that_are_far_from_the_formula() {
             let there = peak(damper.in_mode.best.stiffness * k, damper.in_mode.best.damping * c);
             assert!(found.peaks[0] < 1.01 * there, "{there} with {k} and {c} times the formula: {found:?}");
         }
+    }
+}
+
+/// The peaks that a light ring makes are narrower than any even steps: here of two discs, in steps of a hundredth of them.
+#[test]
+fn the_peaks_of_a_light_ring_are_found() {
+    let layout = "cycle = 'two-stroke'\nspeed = 3000\nfiring_angles = [0]\ninline = { throws = [0] }\n[torsion]\n\
+        inertias = [0.1, 0.15]\nstiffnesses = [20000]\nloss_factor = 0.01\nspeed_range = ['3000 rpm', '7000 rpm']\n\
+        [[torsion.damper]]\ndisc = 1\ninertia = 0.00005\ndamping = 'best'\nstiffness = 'best'\n\
+        [[torsion.harmonic]]\norder = 1\ntorque = 100\n";
+    let study = study(layout);
+    let [damper] = study.dampers() else { panic!("one damper") };
+    let found = damper.found.as_ref().expect("a search");
+    let peak = |setting: DamperSetting| {
+        let mut train = study.train.clone();
+        (train.links[1].stiffness, train.links[1].damping) = (setting.stiffness, setting.damping);
+        let torque = |step: i32| {
+            let omega = damper.in_mode.omega * f64::from(step) / 1e4;
+            let torques = vec![Complex::from(100.0), Complex::default(), Complex::default()];
+            let twists = forced_twist(&train, &Excitation { omega, torques });
+            shaft_torques(&train, omega, &twists)[0].norm()
+        };
+        (9_000..=11_000).map(torque).fold(0.0, f64::max)
+    };
+    for (setting, largest) in [(found.best, found.peaks[0]), (damper.setting, found.peaks[1])] {
+        assert!((largest / peak(setting) - 1.0).abs() < 1e-4, "{} for {largest}", peak(setting));
+    }
+    for (k, c) in (-10..=10).flat_map(|k| (-4..=4).map(move |c| (k, c))) {
+        let setting = DamperSetting {
+            stiffness: damper.setting.stiffness * (1.0 + f64::from(k) / 400.0),
+            damping: damper.setting.damping * 10f64.powf(f64::from(c) / 4.0),
+        };
+        assert!(found.peaks[0] < 1.0001 * peak(setting), "{setting:?} is better than {found:?}");
     }
 }
 

@@ -4,7 +4,8 @@
 //! damper; ζ = c / (2 J_d ω₁), and f is the frequency of the ring alone over ω₁. With the frequency of the ring in place of ω₁ the
 //! formula of a tuned damper is √(3μ / 8(1+μ)): both are in use. Theory, section 13.
 
-use super::{Disc, Link, Mode, Train, highest, modes};
+use super::peak::LOWER;
+use super::{Disc, Link, Mode, Train, evenly, half_width, highest, highest_among, modes};
 use crate::engine::{self, DamperValue, Torsion};
 use crate::numbers::float;
 
@@ -77,6 +78,8 @@ fn settings(bare: &Train, dampers: &[engine::Damper]) -> Vec<DamperSetting> {
 const DAMPING: f64 = 100.0;
 /// The same of the stiffness.
 const STIFFNESS: f64 = 10.0;
+/// Beside the stiffness of the formula points begin at this part of the width of the ring's own resonance, each twice as far as the last.
+const BEGINS: f64 = 0.25;
 /// Points of the range of dampings, evenly on a logarithmic scale, between which the best is looked for.
 const DAMPINGS: usize = 16;
 /// The same of the stiffnesses.
@@ -98,11 +101,47 @@ pub fn search(train: &Train, link: usize, start: DamperSetting, peak: &dyn Fn(&T
         0.0 => 0.0,
         tuned => {
             let [low, high] = [tuned / STIFFNESS, tuned * STIFFNESS].map(f64::ln);
-            highest(low, high, STIFFNESSES, &|value| -best_damping(value.exp()).1).0.exp()
+            let mut places = evenly(low, high, STIFFNESSES);
+            // A light ring does something in a narrow range alone.
+            let ring = train.discs[train.links[link].ends[1]].inertia;
+            let width = start.damping / (tuned * ring).sqrt();
+            let beside = std::iter::successors(Some(BEGINS * width), |distance| Some(2.0 * distance));
+            let beside = beside.take_while(|distance| *distance < places[1] - places[0]);
+            let beside: Vec<f64> = beside.flat_map(|far| [tuned.ln() - far, tuned.ln() + far]).collect();
+            places.extend(beside);
+            places.sort_by(f64::total_cmp);
+            highest_among(&places, LOWER, &|value| -best_damping(value.exp()).1).0.exp()
         }
     };
     let (damping, peak) = best_damping(stiffness);
     (DamperSetting { stiffness, damping }, peak)
+}
+
+/// The train with the ring on a link held fast to its disc; the ring without a spring beside it has no part in anything. What the
+/// oil then still takes is as an absolute damping of the disc.
+fn with_held_ring(train: &Train, link: usize, omega: f64) -> Train {
+    let mut held = train.clone();
+    let Link { ends: [disc, ring], damping, .. } = train.links[link];
+    let inertia = train.discs[ring].inertia;
+    let taken = omega * inertia;
+    held.discs[disc].inertia += inertia;
+    held.discs[disc].damping += damping * taken * taken / (damping * damping + taken * taken);
+    (held.links[link].stiffness, held.links[link].damping) = (0.0, 0.0);
+    held.joined()
+}
+
+/// Angular frequencies at which a train may have narrow resonances, with half of their widths as parts: those of its modes, and those
+/// with the ring on a link held fast. A setting of the damper moves the peaks from the first to the second, the wider the farther they are from both.
+pub fn split(train: &Train, modes_of_train: &[Mode], link: usize) -> Vec<[f64; 2]> {
+    let of = |train: &Train, modes: &[Mode]| -> Vec<[f64; 2]> {
+        modes.iter().map(|mode| [mode.omega, half_width(train, mode)]).collect()
+    };
+    let mut places = of(train, modes_of_train);
+    if let (true, Some(first)) = (link < train.links.len(), modes_of_train.first()) {
+        let held = with_held_ring(train, link, first.omega);
+        places.extend(of(&held, &modes(&held)));
+    }
+    places
 }
 
 impl Train {

@@ -32,6 +32,15 @@ pub fn resonance(train: &Train, mode: &Mode, torques: &[Complex<f64>]) -> Resona
     let works = || torques.iter().zip(&mode.shape).map(|(torque, deflection)| torque * deflection);
     let work = works().sum::<Complex<f64>>().norm();
     let work = if work > ROUNDING * works().map(|one| one.norm()).sum::<f64>() { work } else { 0.0 };
+    let (omega, taken) = (mode.omega, taken(train, mode));
+    Resonance {
+        amplitude: if work > 0.0 { work / taken } else { 0.0 },
+        equilibrium: work / (omega * omega * train.inertia_of(&mode.shape)),
+    }
+}
+
+/// The torque that damping takes in a mode with these deflections, at its frequency.
+fn taken(train: &Train, mode: &Mode) -> f64 {
     let omega = mode.omega;
     let discs = train.discs.iter().zip(&mode.shape).map(|(disc, deflection)| disc.damping * deflection.powi(2));
     let links = train.links.iter().map(|link| {
@@ -44,9 +53,10 @@ pub fn resonance(train: &Train, mode: &Mode, torques: &[Complex<f64>]) -> Resona
         }
         link.complex_stiffness(omega).im * (mode.shape[one] - mode.shape[other]).powi(2)
     });
-    let taken = omega * discs.sum::<f64>() + links.sum::<f64>();
-    Resonance {
-        amplitude: if work > 0.0 { work / taken } else { 0.0 },
-        equilibrium: work / (omega * omega * train.inertia_of(&mode.shape)),
-    }
+    omega * discs.sum::<f64>() + links.sum::<f64>()
+}
+
+/// Half the width of the resonance of a mode, as a part of its frequency: so far beside it the amplitude is 1/√2 of the peak.
+pub fn half_width(train: &Train, mode: &Mode) -> f64 {
+    taken(train, mode) / (2.0 * mode.omega * mode.omega * train.inertia_of(&mode.shape))
 }

@@ -19,12 +19,12 @@ mod synthesis;
 mod train;
 
 pub use critical::{Critical, CriticalSpeeds, critical_speeds};
-pub use damper::{DamperInMode, DamperSetting, formula, in_first_mode, search};
-pub use energy::{Resonance, resonance};
+pub use damper::{DamperInMode, DamperSetting, formula, in_first_mode, search, split};
+pub use energy::{Resonance, half_width, resonance};
 pub use forced::{Excitation, Heat, forced_twist, heat, shaft_torques};
 pub use holzer::{Mode, Node, modes};
 pub use limit::{HIGHEST_RATIO, StressLimit, UNBARRED, barred, stress};
 pub use mesh::mesh_torques;
-pub use peak::{beside, highest, peaks};
+pub use peak::{beside, evenly, highest, highest_among, peaks};
 pub use synthesis::half_range;
 pub use train::{Disc, Link, Train};

@@ -13,24 +13,33 @@ pub fn beside(row: &[f64], at: usize) -> [f64; 2] {
 }
 
 /// A peak whose points are lower than this part of the highest one is not refined; of values below 0 the highest is this part of the others.
-const LOWER: f64 = 0.9;
+pub(super) const LOWER: f64 = 0.9;
 
 /// The largest value between two ends, and where it is: the peaks of this many points, each then refined.
 pub fn highest(low: f64, high: f64, points: usize, of: &dyn Fn(f64) -> f64) -> (f64, f64) {
-    let values: Vec<f64> = (0..=points).map(|index| of(low + (high - low) * index as f64 / points as f64)).collect();
-    let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    highest_beside([low, high], &values, (LOWER * top).min(top / LOWER), of)
+    highest_among(&evenly(low, high, points), LOWER, of)
 }
 
-/// The same where the values of points at equal distances are known: of the peaks that are no lower than this.
-pub(super) fn highest_beside([low, high]: [f64; 2], values: &[f64], least: f64, of: &dyn Fn(f64) -> f64) -> (f64, f64) {
-    let at: Vec<f64> = (0..values.len()).map(|n| low + (high - low) * n as f64 / (values.len() - 1) as f64).collect();
+/// Places at equal distances, both ends among them.
+pub fn evenly(low: f64, high: f64, points: usize) -> Vec<f64> {
+    (0..=points).map(|index| low + (high - low) * index as f64 / points as f64).collect()
+}
+
+/// The largest value between rising places: of the peaks that are no lower than this part of the highest.
+pub fn highest_among(places: &[f64], lower: f64, of: &dyn Fn(f64) -> f64) -> (f64, f64) {
+    let values: Vec<f64> = places.iter().map(|place| of(*place)).collect();
+    let top = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    highest_beside(places, &values, (lower * top).min(top / lower), of)
+}
+
+/// The same where the values are known: of the peaks that are no lower than this.
+pub(super) fn highest_beside(at: &[f64], values: &[f64], least: f64, of: &dyn Fn(f64) -> f64) -> (f64, f64) {
     let refined = |index: usize| {
-        let [before, after] = beside(&at, index);
+        let [before, after] = beside(at, index);
         let place = top_between(before, after, of);
         let value = of(place);
         if value >= values[index] { (place, value) } else { (at[index], values[index]) }
     };
     let tops = peaks(values, least).map(refined);
-    tops.fold((low, f64::NEG_INFINITY), |most, one| if one.1 > most.1 { one } else { most })
+    tops.fold((at[0], f64::NEG_INFINITY), |most, one| if one.1 > most.1 { one } else { most })
 }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex;
 
-use super::peak::highest_beside;
+use super::peak::{evenly, highest_beside};
 use crate::engine::CycleOrder;
 
 /// Points of a cycle between which the largest and the smallest value are looked for: this many in each period of the highest order.
@@ -41,6 +41,7 @@ pub fn half_range(orders: &[(CycleOrder, Complex<f64>)]) -> f64 {
     let opposite: Vec<f64> = samples.iter().map(|sample| -sample).collect();
     let [most, least] = [&samples, &opposite].map(|all| all.iter().copied().fold(f64::NEG_INFINITY, f64::max));
     let within = LOWER * (most + least);
-    let highest = highest_beside([0.0, TAU], &samples, most - within, &at).1;
-    0.5 * (highest + highest_beside([0.0, TAU], &opposite, least - within, &|angle| -at(angle)).1)
+    let angles = evenly(0.0, TAU, points);
+    let highest = highest_beside(&angles, &samples, most - within, &at).1;
+    0.5 * (highest + highest_beside(&angles, &opposite, least - within, &|angle| -at(angle)).1)
 }

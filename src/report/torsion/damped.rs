@@ -15,7 +15,7 @@ use crate::motion::golden_section;
 use crate::numbers::float;
 use crate::torsion::{
     self, DamperSetting, Excitation, HIGHEST_RATIO, Heat, Link, Mode, Resonance, StressLimit, Train, beside,
-    forced_twist, heat, highest, mesh_torques, peaks, resonance, shaft_torques,
+    forced_twist, heat, highest, highest_among, mesh_torques, peaks, resonance, shaft_torques,
 };
 
 /// A range is divided into this many speeds.
@@ -26,6 +26,14 @@ const BESIDE: [f64; 9] = [-0.04, -0.02, -0.01, -0.005, 0.0, 0.005, 0.01, 0.02, 0
 const BEGINS: f64 = 0.1;
 /// Points of a frequency range between which a peak is looked for.
 const POINTS: usize = 60;
+/// A peak of the train with a damper is refined from this part of the highest point on: between places as close as [`around`] they are, peaks are not much higher.
+const LOWEST: f64 = 0.5;
+/// Nearer to a resonance than this part of it no place is.
+const NARROWEST: f64 = 1e-6;
+/// Nor farther than this.
+const WIDEST: f64 = 0.04;
+/// Each place beside a resonance is so many times as far as the one before.
+const FARTHER: f64 = 1.6;
 /// The range in which a damper is looked for goes beyond the modes that it moves by this factor.
 const BEYOND: f64 = 1.1;
 /// So many golden sections find the largest torque of all orders.
@@ -34,6 +42,13 @@ const SECTIONS: u32 = 20;
 const LOWER: f64 = 0.8;
 /// Halvings until a speed is found.
 const HALVINGS: usize = 50;
+
+/// Places on both sides of a resonance, from half of its half-width on, each farther by this factor, as far as the even points are from each other.
+fn around(middle: f64, half_width: f64) -> Vec<f64> {
+    let first = (0.5 * half_width).max(NARROWEST);
+    let beside = std::iter::successors(Some(first), |far| Some(FARTHER * far)).take_while(|far| *far < WIDEST);
+    std::iter::once(middle).chain(beside.flat_map(|far| [middle * (1.0 - far), middle * (1.0 + far)])).collect()
+}
 
 fn largest(torques: &[Complex<f64>]) -> (usize, f64) {
     let sizes = torques.iter().map(|torque| torque.norm()).enumerate();
@@ -308,10 +323,12 @@ impl TorsionStudy {
         let most_work = self.most_work(bare).filter(|_| in_mode.mass_ratio > 0.0);
         let found = most_work.map(|(order, is_bounded)| {
             let middle = order.rpm(in_mode.omega / TAU);
-            let above = torsion::modes(bare).get(1).map_or(1.5, |second| 0.5 * (1.0 + second.omega / in_mode.omega));
+            let above = torsion::modes(bare)
+                .into_iter()
+                .find(|mode| mode.alike.start > 0)
+                .map_or(1.5, |second| 0.5 * (1.0 + second.omega / in_mode.omega));
             // The damper moves the mode, and a ring on a spring makes two of it: both are in the range.
-            let near = |train: &Train| {
-                let modes = torsion::modes(train);
+            let near = |train: &Train, modes: &[Mode]| {
                 let part = |at: usize| modes.get(at).map_or(1.0, |mode| mode.omega / in_mode.omega);
                 let lowest = part(0).min(in_mode.held / in_mode.omega);
                 let is_sprung = train.links.get(link).is_some_and(|spring| spring.stiffness > 0.0);
@@ -319,11 +336,17 @@ impl TorsionStudy {
                 [0.5_f64.min(lowest / BEYOND), above.min(1.5).max(upper)]
             };
             let peak = |train: &Train| {
-                let torque = |speed: f64| self.largest_torque(train, order, speed).1;
-                let [low, high] = near(train);
+                let modes = torsion::modes(train);
+                let torque = |part: f64| self.largest_torque(train, order, part * middle).1;
+                let [low, high] = near(train, &modes);
                 // A wider range has as many more points.
                 let points = (POINTS as f64 * (high - low) / (above.min(1.5) - 0.5)).round() as usize;
-                highest(low * middle, high * middle, points, &torque).1
+                let mut places = torsion::evenly(low, high, points);
+                let narrow = torsion::split(train, &modes, link);
+                places.extend(narrow.into_iter().flat_map(|[omega, width]| around(omega / in_mode.omega, width)));
+                places.retain(|place| (low..=high).contains(place));
+                places.sort_by(f64::total_cmp);
+                highest_among(&places, LOWEST, &torque).1
             };
             let (best, least) = torsion::search(&self.train, link, in_mode.best, &peak);
             FoundDamper { order, best, peaks: [least, peak(&self.train)], without: is_bounded.then(|| peak(bare)) }
