@@ -749,6 +749,20 @@ fn the_peaks_of_a_light_ring_are_found() {
     }
 }
 
+/// Order 1 has ten times the torque, and meets the mode beyond the range.
+#[test]
+fn a_damper_is_looked_for_by_the_strongest_order_in_the_range() {
+    let study = study(
+        "cycle = 'two-stroke'\nspeed = 3000\nfiring_angles = [0]\ninline = { throws = [0] }\n[torsion]\n\
+         inertias = [0.1, 0.15]\nstiffnesses = [20000]\nloss_factor = 0.01\nspeed_range = ['2000 rpm', '4000 rpm']\n\
+         [[torsion.damper]]\ndisc = 1\ninertia = 0.01\ndamping = 'best'\n\
+         [[torsion.harmonic]]\norder = 1\ntorque = 100\nphase = 0\n[[torsion.harmonic]]\norder = 2\ntorque = 10\nphase = 0\n",
+    );
+    assert_eq!(study.dampers()[0].found.as_ref().expect("a search").order, order(4));
+    let page = pages::text(&study.page(), Format::PLAIN).split_whitespace().collect::<Vec<_>>().join(" ");
+    assert!(page.contains("the most work in it of those that meet it in the range of speeds"), "{page}");
+}
+
 #[test]
 fn without_a_damper_an_undamped_train_has_no_largest_torque() {
     let study = study(&AUTOMOTIVE.replace("loss_factor = 0.01\n", ""));

@@ -155,7 +155,7 @@ pub struct DamperStudy {
 /// The best setting by a search.
 #[derive(Clone, Debug)]
 pub struct FoundDamper {
-    /// The order with the most work in the first mode, for which it is looked for.
+    /// The order with the most work in the first mode of those that meet it in the range, for which it is looked for.
     pub order: CycleOrder,
     /// The setting.
     pub best: DamperSetting,
