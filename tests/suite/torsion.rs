@@ -319,6 +319,17 @@ fn modes_of_equal_frequency_are_told_and_each_has_its_star() {
         let peaks: Vec<f64> = study.resonances()[..2].iter().map(|one| one.peak.expect("a peak").1).collect();
         assert!(peaks.iter().all(|peak| (peak - 10_000.0).abs() < 5.0), "{peaks:?}");
     }
+    // One crank on the hub twists all three alike: everywhere the first of them is named.
+    let hub = study(
+        "cycle = 'two-stroke'\nspeed = '3000 rpm'\nfiring_angles = [0]\n[inline]\nthrows = [0]\n\
+         [torsion]\ninertias = [0.1, 0.05, 0.05, 0.05]\nstiffnesses = []\nloss_factor = 0.01\n\
+         [[torsion.shaft]]\nbetween = [1, 2]\nstiffness = 50000\n[[torsion.shaft]]\nbetween = [1, 3]\nstiffness = 50000\n\
+         [[torsion.shaft]]\nbetween = [1, 4]\nstiffness = 50000\n[[torsion.harmonic]]\norder = 1\ntorque = 100\n\
+         [[torsion.damper]]\ndisc = 1\ninertia = 0.005\ndamping = 'best'\n",
+    );
+    assert_eq!(hub.forced()[0].shaft_number, 0);
+    let answer = unbroken(&hub.answer());
+    assert!(answer.contains("the largest vibration torque is 20.5 N·m, in shaft 1–2."), "{answer}");
     // One crank alone is at rest in one of the two, which is told second.
     let one = study(
         "cycle = 'two-stroke'\nspeed = '20000 rpm'\nfiring_angles = [0]\n[inline]\nthrows = [0]\n\

@@ -25,6 +25,6 @@ pub use forced::{Excitation, Heat, forced_twist, heat, shaft_torques};
 pub use holzer::{Mode, Node, modes};
 pub use limit::{HIGHEST_RATIO, StressLimit, UNBARRED, barred, stress};
 pub use mesh::mesh_torques;
-pub use peak::{beside, evenly, highest, highest_among, peaks};
+pub use peak::{beside, evenly, first_of_largest, highest, highest_among, peaks};
 pub use synthesis::half_range;
 pub use train::{Disc, Link, Train};

@@ -8,7 +8,7 @@ use crate::engine::CycleOrder;
 use crate::numbers::float;
 use crate::page::{Text, Unit, phrase};
 use crate::report::texts::torsion as text;
-use crate::torsion;
+use crate::torsion::{self, first_of_largest};
 
 impl TorsionStudy {
     /// The order with the largest part of the torque at a speed, in the shaft whose stress of all orders is farthest above its limit; none where
@@ -23,9 +23,9 @@ impl TorsionStudy {
             let over = self.over_limit(shaft, rpm, vibration.torque(shaft))?;
             (over > 0.0).then_some((shaft, over))
         });
-        let (shaft, _) = over.max_by(|one, other| one.1.total_cmp(&other.1))?;
-        let part = |one: &VibrationOrder| one.torques[shaft].norm();
-        vibration.orders.iter().max_by(|one, other| part(one).total_cmp(&part(other))).map(|one| one.order)
+        let (shaft, _) = first_of_largest(over)?;
+        let part = |one: &VibrationOrder| (one.order, one.torques[shaft].norm());
+        first_of_largest(vibration.orders.iter().map(part)).map(|(order, _)| order)
     }
 
     /// What the formula bars around a critical speed at which a stress is above its limit, by this order most.

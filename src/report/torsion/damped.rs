@@ -15,7 +15,7 @@ use crate::motion::golden_section;
 use crate::numbers::float;
 use crate::torsion::{
     self, DamperSetting, Excitation, HIGHEST_RATIO, Heat, Link, Mode, Resonance, StressLimit, Train, beside,
-    forced_twist, heat, highest, highest_among, mesh_torques, peaks, resonance, shaft_torques,
+    first_of_largest, forced_twist, heat, highest, highest_among, mesh_torques, peaks, resonance, shaft_torques,
 };
 
 /// A range is divided into this many speeds.
@@ -51,8 +51,7 @@ fn around(middle: f64, half_width: f64) -> Vec<f64> {
 }
 
 fn largest(torques: &[Complex<f64>]) -> (usize, f64) {
-    let sizes = torques.iter().map(|torque| torque.norm()).enumerate();
-    sizes.fold((0, 0.0), |most, one| if one.1 > most.1 { one } else { most })
+    first_of_largest(torques.iter().map(|torque| torque.norm()).enumerate()).unwrap_or_default()
 }
 
 impl TorsionStudy {
@@ -191,7 +190,11 @@ impl TorsionStudy {
             let [low, high] = beside(&speeds, place);
             self.largest_at(order, golden_section(low, high, SECTIONS, |speed| torque(order, speed)))
         });
-        refined.filter(|one| one.torque > 0.0).max_by(|one, other| one.torque.total_cmp(&other.torque))
+        let with_torque = |one: LargestTorque| {
+            let torque = one.torque;
+            (one, torque)
+        };
+        first_of_largest(refined.filter(|one| one.torque > 0.0).map(with_torque)).map(|(one, _)| one)
     }
 
     /// Where the vibration at a speed becomes heat, with the power there in watts.
@@ -369,10 +372,8 @@ impl TorsionStudy {
             let part = |(mode, at): &(&Mode, Resonance)| bare.inertia_of(&mode.shape) * at.equilibrium.powi(2);
             let work: f64 = alike.clone().map(|one| part(&one)).sum();
             let is_bounded = alike.into_iter().all(|(_, at)| at.amplitude.is_finite());
-            (work > 0.0).then_some((order, work, is_bounded))
+            (work > 0.0).then_some(((order, is_bounded), work))
         };
-        let works = excited.orders().filter_map(work);
-        let most = works.max_by(|one, other| one.1.total_cmp(&other.1));
-        most.map(|(order, _, is_bounded)| (order, is_bounded))
+        first_of_largest(excited.orders().filter_map(work)).map(|(order, _)| order)
     }
 }

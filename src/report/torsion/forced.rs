@@ -3,7 +3,7 @@
 use super::study::TorsionStudy;
 use super::vibration::omega;
 use crate::engine::CycleOrder;
-use crate::torsion::{CriticalSpeeds, shaft_torques};
+use crate::torsion::{CriticalSpeeds, first_of_largest, shaft_torques};
 
 /// Nearer to a natural frequency than this part of it, an undamped shaft says nothing of a real one.
 const NEAR: f64 = 0.05;
@@ -48,17 +48,16 @@ pub(super) fn forced(study: &TorsionStudy, speed: f64) -> Vec<ForcedTwist> {
         let hertz = order.hertz(speed);
         let twist = study.twists(train, order, speed)?;
         let loads = shaft_torques(train, omega(order, speed), &twist);
-        let loads: Vec<f64> = loads.iter().map(|torque| torque.norm()).collect();
-        let loads = &loads[..train.shafts];
-        let largest = (0..loads.len()).max_by(|one, other| loads[*one].total_cmp(&loads[*other])).unwrap_or(0);
+        let loads = loads[..train.shafts].iter().map(|torque| torque.norm()).enumerate();
+        let (shaft_number, shaft) = first_of_largest(loads).unwrap_or_default();
         let is_near = |mode: &CriticalSpeeds| !is_damped && (hertz / mode.mode.hertz() - 1.0).abs() < NEAR;
         Some(ForcedTwist {
             order,
             hertz,
             near: modes.iter().position(is_near).map(|mode| mode + 1),
             free_end: twist.first().map_or(0.0, |twist| twist.norm().to_degrees()),
-            shaft: loads.get(largest).copied().unwrap_or_default(),
-            shaft_number: largest,
+            shaft,
+            shaft_number,
         })
     };
     let shown = modes.first().map_or(&[][..], |first| &first.orders).iter().map(|critical| critical.order);

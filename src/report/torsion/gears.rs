@@ -8,6 +8,7 @@ use crate::page::{self, Number, Text, Unit, phrase};
 use crate::report::data::Filling;
 use crate::report::texts::torsion as text;
 use crate::table;
+use crate::torsion::first_of_largest;
 
 /// Torques of a gear at its first disc and at its second, in newton-metres, and the speed.
 type Torques = ([f64; 2], f64);
@@ -55,7 +56,7 @@ pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
         let all = gears.iter().filter_map(|one| Some((one.gear, of(one)?)));
         // Where nothing twists, teeth may be loaded, or not.
         let all = all.filter(|(_, torques)| !study.is_still() || size(*torques) > 0.0);
-        all.max_by(|one, other| size(one.1).total_cmp(&size(other.1)))
+        first_of_largest(all.map(|one| (one, size(one.1)))).map(|(one, _)| one)
     };
     let disc = |gear: usize, end: usize| study.train.gears[gear][end] + 1;
     let mut lines = Vec::new();

@@ -8,7 +8,7 @@ use super::{barred, gears};
 use crate::page::{Piece, Text, Unit, phrase};
 use crate::report::mechanism_words;
 use crate::report::texts::torsion as text;
-use crate::torsion::CriticalSpeeds;
+use crate::torsion::{CriticalSpeeds, first_of_largest};
 
 /// What the answer rests on.
 pub(super) fn assumed(study: &TorsionStudy) -> Vec<Text> {
@@ -119,7 +119,7 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
     let mut lines = Vec::new();
     if let Some(vibration) = study.at_speed() {
         let torques = (0..study.train.shafts).map(|shaft| (shaft, vibration.torque(shaft)));
-        let (most, value) = torques.fold((0, 0.0), |most, one| if one.1 > most.1 { one } else { most });
+        let (most, value) = first_of_largest(torques).unwrap_or_default();
         let swings: Text = Piece::Quantity(vibration.twist(0).to_degrees(), Unit::DEGREE).into();
         let where_it_is = shaft(study, most);
         lines.push(match study.stress(most, value) {
