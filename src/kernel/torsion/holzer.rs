@@ -65,9 +65,10 @@ pub fn modes(train: &Train) -> Vec<Mode> {
     let squares: Vec<f64> = (rigid..train.inertias.len()).map(|number| square(train, number)).collect();
     let mut modes = Vec::new();
     for equal in squares.chunk_by(|one, other| other - one <= EQUAL * other) {
-        let alike = modes.len()..modes.len() + equal.len();
         let omega = equal[equal.len() / 2].sqrt();
-        modes.extend(shapes_of(train, equal).into_iter().map(|shape| {
+        let shapes = shapes_of(train, equal);
+        let alike = modes.len()..modes.len() + shapes.len();
+        modes.extend(shapes.into_iter().map(|shape| {
             let shape = scaled(train.of_discs(&shape));
             Mode { omega, nodes: nodes(train, &shape), shape, alike: alike.clone() }
         }));
