@@ -227,7 +227,8 @@ fn the_halves_of_a_star_in_decimals_stand_after_an_approximate_sign() {
     let rods = "fan = { banks = [-47.5, 0, 61.25], throws = [0, 180] }\narticulated = { master = [3, 4], knuckle_radius = '41 mm' }\n\
         mechanism = { stroke = '99 mm', rod_length = '190 mm' }";
     let page = lines(&["report", &written(rods), "--format", "markdown"]);
-    let halves = page.split("½ reverse |").nth(1).and_then(|rest| rest.split("\n\n").next()).expect("a table");
+    let halves =
+        page.split("½ reverse in m r ω² |").nth(1).and_then(|rest| rest.split("\n\n").next()).expect("a table");
     let cells: Vec<&str> = halves.split('|').filter(|cell| cell.contains(" at ")).collect();
     assert!(!cells.is_empty() && cells.iter().all(|cell| cell.matches('≈').count() == 2), "{halves}");
 }

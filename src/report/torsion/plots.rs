@@ -23,8 +23,13 @@ pub(super) fn modes(study: &TorsionStudy) -> Picture {
     let shafts = &study.torsion().shafts;
     let ticks = (1..=discs).map(|disc| disc as f64).collect();
     let x = Axis { ticks: Some(ticks), ..Axis::linear("Disc, from the free end") };
-    let mut plot = Plot::new("Modes of the shaft", x, Axis::linear("Deflection, 1 at the first disc"));
-    for (index, speeds) in study.modes.iter().take(MOST_MODES).enumerate() {
+    let shown = || study.modes.iter().take(MOST_MODES);
+    let deflection = match shown().all(|speeds| speeds.mode.shape[0] != 0.0) {
+        true => "Deflection, 1 at the first disc",
+        false => "Deflection, 1 at the first disc or at the largest",
+    };
+    let mut plot = Plot::new("Modes of the shaft", x, Axis::linear(deflection));
+    for (index, speeds) in shown().enumerate() {
         let at = |disc: usize| ((disc + 1) as f64, speeds.mode.shape[disc]);
         let points = match study.is_row() {
             true => (0..discs).map(at).collect(),
