@@ -291,7 +291,7 @@ fn notes_of_a_moving_engine_are_true_and_in_the_language_of_the_page() {
     };
     let notes = |text: &str, language: Language| {
         let engine = file::parse("moving.toml", text).unwrap_or_else(|error| panic!("{error}"));
-        let made = scene(&engine, &judged(&engine), None, &Weighing::usual());
+        let made = scene(&engine, &judged(&engine), None, Weighing::usual());
         moving_fragment(&made, "scene-1", language).split("<script").next().unwrap_or_default().to_owned()
     };
     let uniform = notes(&layout(""), Language::En);

@@ -194,7 +194,7 @@ fn assert_are_all_modes(train: &Train) {
             let gap = (square - other) / square;
             assert!(part < 1e-9 || part * gap < 1e-13, "{part}: {mode:?} beside {before:?} of {train:?}");
         }
-        assert!(mode.shape.iter().any(|value| *value == 1.0), "{mode:?}");
+        assert!(mode.shape.contains(&1.0), "{mode:?}");
         shapes.push((square, mode.shape.clone()));
     }
 }
