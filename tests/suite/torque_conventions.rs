@@ -232,7 +232,7 @@ fn few_rows_suffice_where_they_go_round_the_cycle() {
         let file = measured(rows);
         crankstar::parse("table.toml", &file).expect_err("rows that do not tell the cycle").to_string()
     };
-    assert!(refused("[0, 7.3]").contains("a table of 1 rows"));
+    assert!(refused("[0, 7.3]").contains("a table of 1 row"));
     assert!(refused("[0, 7.3], [360, 7.3]").contains("the rows span 360° of a cycle of 720°"));
     assert!(refused("[0, 7.3], [720, 7.4]").contains("the last row repeats the first"));
 }
