@@ -32,7 +32,7 @@ const BUDGET: [(&str, usize); 35] = [
     ("proof", 8955),
     ("python", 2615),
     ("remedy", 1915),
-    ("report", 32715),
+    ("report", 32720),
     ("rotor", 670),
     ("search", 3830),
     ("shard", 660),
