@@ -359,7 +359,7 @@ fn what_is_no_shaft_is_refused_at_its_place() {
         ("inertias = [1, 1, 1]\nstiffnesses = [1, -1]\n", "cannot read the stiffness `-1`"),
         ("inertias = [1, 1]\nstiffnesses = [1]\nspeed_range = [1000]\n", "1 value for a range of speeds"),
         ("inertias = [1, 1]\n[[torsion.shaft]]\nbetween = [2]\n", "1 value for the discs at two ends"),
-        ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1]\n", "1 discs are named for 2 crankpins"),
+        ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1]\n", "1 disc named for 2 crankpins"),
         ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [1, 3]\n", "crankpin 2 is on disc 3"),
         ("inertias = [1, 1]\nstiffnesses = [1]\ncrankpins_at = [0, 1]\n", "number of the disc"),
         ("inertias = [\"1 kg\", 1]\nstiffnesses = [1]\n", "none of kg m²"),
@@ -374,7 +374,7 @@ fn what_is_no_shaft_is_refused_at_its_place() {
     let error =
         file::parse("boxer.toml", &format!("{boxer}crankpins_at = [1, 2, 3, 4]")).expect_err("two pins").to_string();
     assert!(
-        error.contains("4 discs are named for 2 crankpins") && error.contains("both pins of a pair of [boxer]"),
+        error.contains("4 discs named for 2 crankpins") && error.contains("both pins of a pair of [boxer]"),
         "{error}"
     );
     assert!(file::parse("boxer.toml", &format!("{boxer}crankpins_at = [2, 4]")).is_ok());
@@ -433,7 +433,7 @@ fn a_boxer_pair_counts_as_one_crankpin_and_cylinders_of_their_own_as_two() {
     let boxer = |at: &str| format!("[boxer]\nthrows = [0]\nstagger = '20 mm'\n{shaft}crankpins_at = {at}\n");
     assert!(file::parse("boxer.toml", &boxer("[1]")).is_ok());
     let told = file::parse("boxer.toml", &boxer("[1, 2]")).expect_err("one pin").to_string();
-    assert!(told.contains("2 discs are named for 1 crankpins; name one for each (a boxer pair is one)"), "{told}");
+    assert!(told.contains("2 discs named for 1 crankpin; name one for each (a boxer pair is one)"), "{told}");
     let cylinders = "[[cylinder]]\nbank = -90\nthrow = -90\nposition = '10 mm'\n[[cylinder]]\nbank = 90\nthrow = 90\nposition = '-10 mm'\n";
     assert!(file::parse("two.toml", &format!("{cylinders}{shaft}crankpins_at = [1, 2]\n")).is_ok());
 }

@@ -170,7 +170,7 @@ pub enum NoShaft {
     #[error("the bore of shaft {0} is not smaller than its outer diameter")]
     Hollow(usize),
     /// Not one disc for each crankpin.
-    #[error("{given} discs are named for {pins} crankpins; name one for each (a boxer pair is one)")]
+    #[error("{} named for {}; name one for each (a boxer pair is one)", counted(*given, "disc"), counted(*pins, "crankpin"))]
     Pins {
         /// How many are given.
         given: usize,
