@@ -215,7 +215,13 @@ fn small_symmetric_trains_have_all_their_modes() {
         assert_are_all_modes(&train);
     }
     assert!(multiple > 100, "{multiple}");
-    // The same branch several times on one hub, of any discs and shafts.
+}
+
+/// A mode in which branches alone swing has deflections of exactly 0 at the hub, and there is one less than there are branches for each
+/// frequency of the branch.
+#[test]
+fn equal_branches_leave_their_hub_at_rest() {
+    let mut dice = Dice::new(12);
     for _ in 0..300 {
         let mut random = || 10.0_f64.powf(dice.below(1_000_000) as f64 / 1e6 - 0.5);
         let hub: Vec<f64> = (0..3).map(|_| random()).collect();
@@ -234,16 +240,41 @@ fn small_symmetric_trains_have_all_their_modes() {
         }
         let train = tree(&inertias, &shafts);
         let found = modes(&train);
-        // A mode in which branches alone swing leaves the hub at rest exactly, and there is one less than there are branches for each frequency of the branch.
         let alone = found.iter().filter(|mode| mode.shape[..3].iter().all(|value| *value == 0.0)).count();
         assert_eq!(alone, 3 * (times - 1), "{found:?}");
         assert_are_all_modes(&train);
     }
-    // Ends that hardly feel each other have one frequency for all that decimals tell, and are two modes.
+}
+
+/// They hardly feel each other, and have one frequency for all that decimals tell.
+#[test]
+fn light_ends_of_a_row_are_two_modes() {
     for count in 6..40_usize {
         let inertias: Vec<f64> = (0..count).map(|at| if at == 0 || at == count - 1 { 0.01 } else { 1.0 }).collect();
         assert_are_all_modes(&shaft(&inertias, &vec![1e5; count - 1]));
     }
+}
+
+#[test]
+fn a_node_in_a_mesh_is_told_once() {
+    let geared = study(
+        "cycle = 'two-stroke'\nspeed = 3000\nfiring_angles = [0]\n[inline]\nthrows = [0]\n[torsion]\ninertias = [1, 2, 2, 1]\nstiffnesses = []\n\
+         gear = [{ between = [2, 3], ratio = -1 }]\n\
+         shaft = [{ between = [1, 2], stiffness = 1e5 }, { between = [3, 4], stiffness = 1e5 }]\n",
+    );
+    let nodes: Vec<_> = geared.modes.iter().map(|one| one.mode.nodes.clone()).collect();
+    assert_eq!(nodes[0], [crankstar::torsion::Node::Disc(1)]);
+    assert_eq!(nodes.iter().map(Vec::len).collect::<Vec<_>>(), [1, 2]);
+}
+
+#[test]
+fn a_ring_without_effect_is_not_searched_and_said_so() {
+    let light = "cycle = 'two-stroke'\nspeed = 3000\nfiring_angles = [0]\n[inline]\nthrows = [0]\n[torsion]\ninertias = [0.1, 0.15]\n\
+        stiffnesses = [20000]\nloss_factor = 0.01\nspeed_range = [3000, 7000]\n\
+        [[torsion.damper]]\ndisc = 1\ninertia = '1/10000000000'\ndamping = 'best'\nstiffness = 'best'\n[[torsion.harmonic]]\norder = 1\ntorque = 100\n";
+    let told = unbroken(&study(light).answer());
+    assert!(told.contains("its ring has less than a millionth of the inertia of the first mode"), "{told}");
+    assert!(!told.contains("by a search"), "{told}");
 }
 
 /// A page without its line breaks.
@@ -313,9 +344,9 @@ fn modes_of_equal_frequency_are_told_and_each_has_its_star() {
         });
         assert_near(stars.sum(), 4.0 / (2.0 * 0.05), 1e-12);
         let [page, answer] = said_in_german(&study).map(|page| unbroken(&page));
-        assert!(answer.contains("Modes of equal frequency: 1–2."), "{answer}");
+        assert!(answer.contains("Modes whose frequencies are equal to twelve digits: 1–2."), "{answer}");
         assert!(answer.contains("than order 1: its critical speed is 9549 rpm"), "{answer}");
-        assert!(page.contains("Modes of equal frequency: 1–2."), "{page}");
+        assert!(page.contains("Modes whose frequencies are equal to twelve digits: 1–2."), "{page}");
         let peaks: Vec<f64> = study.resonances()[..2].iter().map(|one| one.peak.expect("a peak").1).collect();
         assert!(peaks.iter().all(|peak| (peak - 10_000.0).abs() < 5.0), "{peaks:?}");
     }

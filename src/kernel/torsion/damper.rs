@@ -80,12 +80,14 @@ const DAMPING: f64 = 100.0;
 const STIFFNESS: f64 = 10.0;
 /// Beside the stiffness of the formula points begin at this part of the width of the ring's own resonance, each twice as far as the last.
 const BEGINS: f64 = 0.25;
+/// No nearer than this: a narrower resonance of a ring is none that a damper is built for.
+const NEAREST: f64 = 1e-3;
 /// Points of the range of dampings, evenly on a logarithmic scale, between which the best is looked for.
 const DAMPINGS: usize = 16;
 /// The same of the stiffnesses.
 const STIFFNESSES: usize = 12;
 
-/// The setting of the damper on a link, its start at the formula's, at which a peak of the train is least; with that peak.
+/// The setting of the damper on a link, its start at the formula's with a damping above 0, at which a peak of the train is least; with that peak.
 pub fn search(train: &Train, link: usize, start: DamperSetting, peak: &dyn Fn(&Train) -> f64) -> (DamperSetting, f64) {
     let at = |stiffness: f64, damping: f64| {
         let mut train = train.clone();
@@ -105,7 +107,8 @@ pub fn search(train: &Train, link: usize, start: DamperSetting, peak: &dyn Fn(&T
             // A light ring does something in a narrow range alone.
             let ring = train.discs[train.links[link].ends[1]].inertia;
             let width = start.damping / (tuned * ring).sqrt();
-            let beside = std::iter::successors(Some(BEGINS * width), |distance| Some(2.0 * distance));
+            let first = (BEGINS * width).max(NEAREST);
+            let beside = std::iter::successors(Some(first), |distance| Some(2.0 * distance));
             let beside = beside.take_while(|distance| *distance < places[1] - places[0]);
             let beside: Vec<f64> = beside.flat_map(|far| [tuned.ln() - far, tuned.ln() + far]).collect();
             places.extend(beside);
@@ -132,7 +135,7 @@ fn with_held_ring(train: &Train, link: usize, omega: f64) -> Train {
 
 /// Angular frequencies at which a train may have narrow resonances, with half of their widths as parts: those of its modes, and those
 /// with the ring on a link held fast. A setting of the damper moves the peaks from the first to the second, the wider the farther they are from both.
-pub fn split(train: &Train, modes_of_train: &[Mode], link: usize) -> Vec<[f64; 2]> {
+pub fn narrow_resonances(train: &Train, modes_of_train: &[Mode], link: usize) -> Vec<[f64; 2]> {
     let of = |train: &Train, modes: &[Mode]| -> Vec<[f64; 2]> {
         modes.iter().map(|mode| [mode.omega, half_width(train, mode)]).collect()
     };

@@ -27,7 +27,7 @@ impl Resonance {
 /// Work that is less than this part of that of all torques is rounding.
 const ROUNDING: f64 = 1e-12;
 
-/// What torques on the discs do at the natural frequency of a mode; infinite where nothing damps it.
+/// What torques on the discs do at the natural frequency of a mode; infinite where nothing damps it, 0 where they do no work on the mode.
 pub fn resonance(train: &Train, mode: &Mode, torques: &[Complex<f64>]) -> Resonance {
     let works = || torques.iter().zip(&mode.shape).map(|(torque, deflection)| torque * deflection);
     let work = works().sum::<Complex<f64>>().norm();

@@ -7,19 +7,26 @@ use std::ops::Range;
 
 use super::Train;
 use super::branch::count_below;
-use super::shapes::{Enclosed, shapes};
+use super::shapes::{Enclosure, shapes};
 
 /// A way in which the train vibrates by itself.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
     /// Angular frequency in radians a second.
     pub omega: f64,
-    /// Deflection of each disc, 1 at the first; 1 at the largest where the first is a node.
+    /// Deflection of each disc, 1 at the first; 1 at the disc that moves most where the first is a node.
     pub shape: Vec<f64>,
     /// Where it stands still.
     pub nodes: Vec<Node>,
-    /// The modes of its frequency by their numbers from 0, itself among them: mostly it alone.
+    /// The numbers, from 0, of the modes of this frequency, this one included.
     pub alike: Range<usize>,
+}
+
+impl Mode {
+    /// Whether the first disc is a node: the disc that moves most has the deflection 1 then.
+    pub fn is_first_a_node(&self) -> bool {
+        self.shape.first() != Some(&1.0)
+    }
 }
 
 /// A place of a train that stands still in a mode.
@@ -102,7 +109,7 @@ fn shapes_of(train: &Train, equal: &[f64]) -> Vec<Vec<f64>> {
     let held = vec![false; train.inertias.len()];
     let (first, last) = (equal[0], equal[equal.len() - 1]);
     let bounds =
-        Enclosed { below: first * (1.0 - 0.5 * EQUAL), at: equal[equal.len() / 2], above: last * (1.0 + 0.5 * EQUAL) };
+        Enclosure { below: first * (1.0 - 0.5 * EQUAL), at: equal[equal.len() / 2], above: last * (1.0 + 0.5 * EQUAL) };
     shapes(train, &bounds, &held, train.inertias.len() - 1)
 }
 
@@ -131,9 +138,16 @@ fn nodes(train: &Train, shape: &[f64]) -> Vec<Node> {
         let [one, other] = link.ends.map(|disc| shape[disc]);
         (one * other < 0.0).then(|| Node::Shaft(index, one / (one - other)))
     };
+    // Discs in mesh turn as one: a node there is told at the first of them.
     let at_disc = |disc: usize| {
-        let swings = |sign: f64| around(train, disc).any(|other| shape[other] * sign > 0.0);
-        (shape[disc] == 0.0 && swings(1.0) && swings(-1.0)).then_some(Node::Disc(disc))
+        let node = train.node(disc);
+        let is_first = (0..disc).all(|other| train.node(other) != node);
+        let in_mesh = || (0..shape.len()).filter(|one| train.node(*one) == node);
+        let swings = |sign: f64| {
+            let mut beside = in_mesh().flat_map(|one| around(train, one));
+            beside.any(|other| sign * train.discs[other].ratio * shape[other] > 0.0)
+        };
+        (is_first && shape[disc] == 0.0 && swings(1.0) && swings(-1.0)).then_some(Node::Disc(disc))
     };
     let springs = train.links.iter().enumerate().filter(|(_, link)| link.stiffness > 0.0);
     springs.filter_map(in_shaft).chain((0..shape.len()).filter_map(at_disc)).collect()

@@ -19,7 +19,7 @@ mod synthesis;
 mod train;
 
 pub use critical::{Critical, CriticalSpeeds, critical_speeds};
-pub use damper::{DamperInMode, DamperSetting, formula, in_first_mode, search, split};
+pub use damper::{DamperInMode, DamperSetting, formula, in_first_mode, narrow_resonances, search};
 pub use energy::{Resonance, half_width, resonance};
 pub use forced::{Excitation, Heat, forced_twist, heat, shaft_torques};
 pub use holzer::{Mode, Node, modes};

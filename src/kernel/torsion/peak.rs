@@ -15,11 +15,11 @@ pub fn beside(row: &[f64], at: usize) -> [f64; 2] {
 /// Values that differ by less than this part of the largest are equal but for rounding.
 const ALIKE: f64 = 1e-9;
 
-/// The largest value with what it is of; the first one of those that are as large but for rounding. None of nothing.
-pub fn first_of_largest<T>(values: impl IntoIterator<Item = (T, f64)>) -> Option<(T, f64)> {
-    let values: Vec<(T, f64)> = values.into_iter().collect();
-    let largest = values.iter().map(|one| one.1).fold(f64::NEG_INFINITY, f64::max);
-    values.into_iter().find(|one| one.1 >= largest - ALIKE * largest.abs())
+/// The one of largest size; the first of those that are as large but for rounding. None of nothing.
+pub fn first_of_largest<T>(all: impl IntoIterator<Item = T>, size: impl Fn(&T) -> f64) -> Option<T> {
+    let all: Vec<T> = all.into_iter().collect();
+    let largest = all.iter().map(&size).fold(f64::NEG_INFINITY, f64::max);
+    all.into_iter().find(|one| size(one) == largest || size(one) >= largest - ALIKE * largest.abs())
 }
 
 /// A peak whose points are lower than this part of the highest one is not refined; of values below 0 the highest is this part of the others.

@@ -8,8 +8,8 @@
 use super::Train;
 use super::branch::Branches;
 
-/// Squares of natural frequencies between which there is one or several, and it or the middle of them.
-pub(super) struct Enclosed {
+/// Bounds of the squares of one or several equal frequencies, and one of them.
+pub(super) struct Enclosure {
     pub below: f64,
     pub at: f64,
     pub above: f64,
@@ -17,7 +17,7 @@ pub(super) struct Enclosed {
 
 /// The modes within these bounds of what is joined to a node without passing one that is held fast: the deflections of all nodes,
 /// orthogonal in the inertias, `Σ J Θ²` 1 each.
-pub(super) fn shapes(train: &Train, squares: &Enclosed, held: &[bool], start: usize) -> Vec<Vec<f64>> {
+pub(super) fn shapes(train: &Train, squares: &Enclosure, held: &[bool], start: usize) -> Vec<Vec<f64>> {
     let [below, above] = [squares.below, squares.above].map(|square| Branches::new(train, held, square));
     let count = above.below(start).saturating_sub(below.below(start));
     if count == 0 {
@@ -56,7 +56,7 @@ pub(super) fn shapes(train: &Train, squares: &Enclosed, held: &[bool], start: us
 }
 
 /// The modes of the branches around a node that is held fast, with the torque of each on it.
-fn beside(train: &Train, squares: &Enclosed, held: &[bool], node: usize) -> Vec<(f64, Vec<f64>)> {
+fn beside(train: &Train, squares: &Enclosure, held: &[bool], node: usize) -> Vec<(f64, Vec<f64>)> {
     let mut held = held.to_vec();
     held[node] = true;
     let free = train.around[node].iter().filter(|(other, _)| !held[*other]);

@@ -1,9 +1,9 @@
 //! Which speeds are barred around a critical one, do stresses hold their limit at the ends of that range, and may it be passed through?
 
+use super::ResonanceOrder;
 use super::amounts::{range, rpm, shaft};
 use super::study::TorsionStudy;
 use super::vibration::Barred;
-use super::{ResonanceOrder, VibrationOrder};
 use crate::engine::CycleOrder;
 use crate::numbers::float;
 use crate::page::{Text, Unit, phrase};
@@ -23,9 +23,8 @@ impl TorsionStudy {
             let over = self.over_limit(shaft, rpm, vibration.torque(shaft))?;
             (over > 0.0).then_some((shaft, over))
         });
-        let (shaft, _) = first_of_largest(over)?;
-        let part = |one: &VibrationOrder| (one.order, one.torques[shaft].norm());
-        first_of_largest(vibration.orders.iter().map(part)).map(|(order, _)| order)
+        let (shaft, _) = first_of_largest(over, |one| one.1)?;
+        first_of_largest(&vibration.orders, |one| one.torques[shaft].norm()).map(|one| one.order)
     }
 
     /// What the formula bars around a critical speed at which a stress is above its limit, by this order most.

@@ -24,15 +24,18 @@ const SPEEDS: usize = 120;
 const BESIDE: [f64; 9] = [-0.04, -0.02, -0.01, -0.005, 0.0, 0.005, 0.01, 0.02, 0.04];
 /// The range begins at this part of its end, where the layout has none.
 const BEGINS: f64 = 0.1;
+/// A ring with a smaller part of the inertia of the first mode is not searched.
+pub(super) const LEAST_RATIO: f64 = 1e-6;
 /// Points of a frequency range between which a peak is looked for.
 const POINTS: usize = 60;
-/// A peak of the train with a damper is refined from this part of the highest point on: between places as close as [`around`] they are, peaks are not much higher.
-const LOWEST: f64 = 0.5;
-/// Nearer to a resonance than this part of it no place is.
+/// With a damper a peak is refined if its point reaches this part of the highest: points are close beside resonances, where a peak is little
+/// higher than its point.
+const REFINED_FROM: f64 = 0.5;
+/// The smallest distance of a point from a resonance, as a part of its frequency.
 const NARROWEST: f64 = 1e-6;
-/// Nor farther than this.
+/// The largest.
 const WIDEST: f64 = 0.04;
-/// Each place beside a resonance is so many times as far as the one before.
+/// Ratio of the distances of neighbouring points.
 const FARTHER: f64 = 1.6;
 /// The range in which a damper is looked for goes beyond the modes that it moves by this factor.
 const BEYOND: f64 = 1.1;
@@ -43,7 +46,7 @@ const LOWER: f64 = 0.8;
 /// Halvings until a speed is found.
 const HALVINGS: usize = 50;
 
-/// Places on both sides of a resonance, from half of its half-width on, each farther by this factor, as far as the even points are from each other.
+/// Points on both sides of a resonance, at distances that grow by [`FARTHER`], from half of its half-width to [`WIDEST`].
 fn around(middle: f64, half_width: f64) -> Vec<f64> {
     let first = (0.5 * half_width).max(NARROWEST);
     let beside = std::iter::successors(Some(first), |far| Some(FARTHER * far)).take_while(|far| *far < WIDEST);
@@ -51,7 +54,7 @@ fn around(middle: f64, half_width: f64) -> Vec<f64> {
 }
 
 fn largest(torques: &[Complex<f64>]) -> (usize, f64) {
-    first_of_largest(torques.iter().map(|torque| torque.norm()).enumerate()).unwrap_or_default()
+    first_of_largest(torques.iter().map(|torque| torque.norm()).enumerate(), |one| one.1).unwrap_or_default()
 }
 
 impl TorsionStudy {
@@ -157,8 +160,7 @@ impl TorsionStudy {
             order,
             rpm,
             energy: resonance(&self.train, mode, &self.excited()?.torques(order, rpm)?),
-            // It has deflection 1 where it is none.
-            first_is_node: mode.shape.first().is_none_or(|first| first.abs() < 0.5),
+            first_is_node: mode.is_first_a_node(),
             first: self.twists(&self.train, order, rpm)?.first()?.norm(),
             shaft,
             torque,
@@ -190,11 +192,7 @@ impl TorsionStudy {
             let [low, high] = beside(&speeds, place);
             self.largest_at(order, golden_section(low, high, SECTIONS, |speed| torque(order, speed)))
         });
-        let with_torque = |one: LargestTorque| {
-            let torque = one.torque;
-            (one, torque)
-        };
-        first_of_largest(refined.filter(|one| one.torque > 0.0).map(with_torque)).map(|(one, _)| one)
+        first_of_largest(refined.filter(|one| one.torque > 0.0), |one| one.torque)
     }
 
     /// Where the vibration at a speed becomes heat, with the power there in watts.
@@ -323,7 +321,7 @@ impl TorsionStudy {
         let in_mode = torsion::in_first_mode(bare, damper)?;
         let link = self.train.shafts + index;
         let Link { stiffness, damping, .. } = self.train.links[link];
-        let most_work = self.most_work(bare).filter(|_| in_mode.mass_ratio > 0.0);
+        let most_work = self.most_work(bare).filter(|_| in_mode.mass_ratio >= LEAST_RATIO);
         let found = most_work.map(|(order, is_bounded)| {
             let middle = order.rpm(in_mode.omega / TAU);
             let above = torsion::modes(bare)
@@ -345,11 +343,11 @@ impl TorsionStudy {
                 // A wider range has as many more points.
                 let points = (POINTS as f64 * (high - low) / (above.min(1.5) - 0.5)).round() as usize;
                 let mut places = torsion::evenly(low, high, points);
-                let narrow = torsion::split(train, &modes, link);
+                let narrow = torsion::narrow_resonances(train, &modes, link);
                 places.extend(narrow.into_iter().flat_map(|[omega, width]| around(omega / in_mode.omega, width)));
                 places.retain(|place| (low..=high).contains(place));
                 places.sort_by(f64::total_cmp);
-                highest_among(&places, LOWEST, &torque).1
+                highest_among(&places, REFINED_FROM, &torque).1
             };
             let (best, least) = torsion::search(&self.train, link, in_mode.best, &peak);
             FoundDamper { order, best, peaks: [least, peak(&self.train)], without: is_bounded.then(|| peak(bare)) }
@@ -374,6 +372,6 @@ impl TorsionStudy {
             let is_bounded = alike.into_iter().all(|(_, at)| at.amplitude.is_finite());
             (work > 0.0).then_some(((order, is_bounded), work))
         };
-        first_of_largest(excited.orders().filter_map(work)).map(|(order, _)| order)
+        first_of_largest(excited.orders().filter_map(work), |one| one.1).map(|(order, _)| order)
     }
 }

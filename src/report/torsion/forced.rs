@@ -49,7 +49,7 @@ pub(super) fn forced(study: &TorsionStudy, speed: f64) -> Vec<ForcedTwist> {
         let twist = study.twists(train, order, speed)?;
         let loads = shaft_torques(train, omega(order, speed), &twist);
         let loads = loads[..train.shafts].iter().map(|torque| torque.norm()).enumerate();
-        let (shaft_number, shaft) = first_of_largest(loads).unwrap_or_default();
+        let (shaft_number, shaft) = first_of_largest(loads, |one| one.1).unwrap_or_default();
         let is_near = |mode: &CriticalSpeeds| !is_damped && (hertz / mode.mode.hertz() - 1.0).abs() < NEAR;
         Some(ForcedTwist {
             order,

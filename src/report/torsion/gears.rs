@@ -56,7 +56,7 @@ pub(super) fn answer(study: &TorsionStudy) -> Vec<Text> {
         let all = gears.iter().filter_map(|one| Some((one.gear, of(one)?)));
         // Where nothing twists, teeth may be loaded, or not.
         let all = all.filter(|(_, torques)| !study.is_still() || size(*torques) > 0.0);
-        first_of_largest(all.map(|one| (one, size(one.1)))).map(|(one, _)| one)
+        first_of_largest(all, |one| size(one.1))
     };
     let disc = |gear: usize, end: usize| study.train.gears[gear][end] + 1;
     let mut lines = Vec::new();

@@ -24,9 +24,9 @@ pub(super) fn modes(study: &TorsionStudy) -> Picture {
     let ticks = (1..=discs).map(|disc| disc as f64).collect();
     let x = Axis { ticks: Some(ticks), ..Axis::linear("Disc, from the free end") };
     let shown = || study.modes.iter().take(MOST_MODES);
-    let deflection = match shown().all(|speeds| speeds.mode.shape[0] != 0.0) {
-        true => "Deflection, 1 at the first disc",
-        false => "Deflection, 1 at the first disc or at the largest",
+    let deflection = match shown().any(|speeds| speeds.mode.is_first_a_node()) {
+        true => "Relative deflection",
+        false => "Deflection, 1 at the first disc",
     };
     let mut plot = Plot::new("Modes of the shaft", x, Axis::linear(deflection));
     for (index, speeds) in shown().enumerate() {

@@ -2,6 +2,7 @@
 
 use super::super::torque::misfire;
 use super::amounts::{given_rpm, part, range, rpm, shaft, torque};
+use super::damped::LEAST_RATIO;
 use super::study::TorsionStudy;
 use super::tables::MOST_MODES;
 use super::{barred, gears};
@@ -119,7 +120,7 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
     let mut lines = Vec::new();
     if let Some(vibration) = study.at_speed() {
         let torques = (0..study.train.shafts).map(|shaft| (shaft, vibration.torque(shaft)));
-        let (most, value) = first_of_largest(torques).unwrap_or_default();
+        let (most, value) = first_of_largest(torques, |one| one.1).unwrap_or_default();
         let swings: Text = Piece::Quantity(vibration.twist(0).to_degrees(), Unit::DEGREE).into();
         let where_it_is = shaft(study, most);
         lines.push(match study.stress(most, value) {
@@ -151,8 +152,10 @@ fn forced_answer(study: &TorsionStudy) -> Vec<Text> {
         lines.extend(one.barred.as_ref().map(|range| barred::said(study, one, range)));
     }
     for (damper, given) in study.dampers().iter().zip(&study.torsion().dampers) {
-        if damper.in_mode.mass_ratio == 0.0 {
-            lines.push(text::damper_at_rest(given.disc + 1));
+        match damper.in_mode.mass_ratio {
+            0.0 => lines.push(text::damper_at_rest(given.disc + 1)),
+            ratio if ratio < LEAST_RATIO => lines.push(text::light_damper(given.disc + 1)),
+            _ => {}
         }
         if let Some(found) = &damper.found {
             let settings = [damper.setting, damper.in_mode.best, found.best];
