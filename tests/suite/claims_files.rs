@@ -170,12 +170,14 @@ fn numbers_of_a_claim_are_none_other_than_those_of_its_layout() {
         "numbers = { reciprocating_mass = 1.5, crank_radius = '5 cm', rod_length = '17.5 cm', speed = 600 }\n";
     read(layout, numbers).expect("the same");
     read("inline.throws = [0, 180, 180, 0]\n", &numbers.replace(" }", ", spacing = 0.15 }")).expect("no others");
+    let bare = "[inline]\nthrows = [0, 120, 240]\npositions = [0, 1, 2]\n";
+    read(bare, &numbers.replace(" }", ", spacing = 0.15 }")).expect("positions in multiples of the spacing");
     for (own, other, words) in [
         ("mass = 1.5", "mass = 1.4", "another reciprocating mass"),
         ("'5 cm'", "'6 cm'", "another crank radius"),
         ("'17.5 cm'", "'17 cm'", "another ratio of crank radius and rod"),
         ("speed = 600", "speed = 601", "another speed"),
-        ("600 }", "600, spacing = '0.1 m' }", "positions of its own"),
+        ("600 }", "600, spacing = '0.1 m' }", "positions in metres"),
     ] {
         let error = read(layout, &numbers.replace(own, other)).map(|_| ()).expect_err(words);
         assert!(error.contains(words) && error.contains("claims.toml:4"), "{words}: {error}");

@@ -8,7 +8,7 @@ use super::compare::{half_of_lengths, half_width, is_exact_zero};
 use super::condition::of;
 use super::finding::Absolute;
 use super::statement::{Subject, Value};
-use crate::engine::{Engine, LengthUnit, Rod};
+use crate::engine::{Engine, Rod};
 use crate::motion::{self, SliderCrank};
 use crate::numbers;
 use crate::order::Factor;
@@ -77,9 +77,10 @@ pub(super) fn answer(
     };
     // Whether nothing is left is decided by the exact sums; only sizes are compared in decimals.
     let star = if vanishes { 0.0 } else { half_of_lengths(sums).1 };
-    let arm = match (subject.quantity, engine.length_unit(), &numbers.spacing) {
-        (Quantity::MOMENT, LengthUnit::Spacing, None) => return Err("a value in N·m needs the spacing"),
-        (Quantity::MOMENT, LengthUnit::Spacing, Some(spacing)) => numbers::float(spacing),
+    let arm = match (subject.quantity, &numbers.spacing) {
+        (Quantity::MOMENT, _) if engine.is_in_metres() => 1.0,
+        (Quantity::MOMENT, None) => return Err("a value in N·m needs the spacing"),
+        (Quantity::MOMENT, Some(spacing)) => numbers::float(spacing),
         _ => 1.0,
     };
     let omega = numbers::angular_speed(numbers::float(&numbers.speed));

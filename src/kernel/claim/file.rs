@@ -210,13 +210,13 @@ fn numbers(table: &NumbersTable, layout: &Engine) -> Result<Numbers, LayoutError
         (is_other(&own.speed, &numbers.speed), "speed", &table.speed),
     ];
     if let Some((_, what, text)) = others.into_iter().find(|(is_other, ..)| *is_other) {
-        let right = "numbers that the layout gives are those of the claim, too; where it gives all, omit `numbers`";
+        let right = "the same value as in the layout; where the layout gives all, omit `numbers`";
         return Err(LayoutError::new(format!("the layout gives another {what}"), right, place(text)));
     }
     match &table.spacing {
-        Some(text) if layout.positions_given() => {
+        Some(text) if layout.is_in_metres() => {
             let right = "omit `spacing` here: moments are of those positions";
-            Err(LayoutError::new("the layout gives positions of its own", right, place(text)))
+            Err(LayoutError::new("the layout gives positions in metres", right, place(text)))
         }
         _ => Ok(numbers),
     }

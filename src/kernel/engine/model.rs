@@ -85,6 +85,11 @@ impl<A, L> Engine<A, L> {
         self.draft.positions_given
     }
 
+    /// Whether positions are in metres: those with a unit, and numbers alone beside a crank radius.
+    pub fn is_in_metres(&self) -> bool {
+        self.length_unit() == LengthUnit::Metre || self.positions_given() && self.dimensions().crank_radius.is_some()
+    }
+
     /// The orders that are asked for, rising; the usual ones where none are.
     pub fn orders(&self) -> &[u32] {
         &self.orders

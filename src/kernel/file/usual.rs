@@ -15,7 +15,7 @@ use super::layout::Layout;
 use super::quantities::integer;
 use super::rewritten::exact_number;
 use super::{quantities, units, written};
-use crate::engine::{Engine, LengthUnit, PressureLaw};
+use crate::engine::{Engine, PressureLaw};
 
 /// Something odd in a layout file, with its place. It changes no result.
 #[derive(Clone, Debug)]
@@ -155,7 +155,7 @@ const HEAVIEST: i64 = 100_000;
 /// ```
 pub fn warnings(name: &str, source: &str, layout: &Layout) -> Vec<LayoutWarning> {
     let Ok(table) = written::table(source) else { return Vec::new() };
-    let is_metric = matches!(layout, Layout::Known(engine, _) if is_in_metres(engine));
+    let is_metric = matches!(layout, Layout::Known(engine, _) if engine.is_in_metres());
     let mut odd = odd_quantities(table.get_ref(), has_parts(layout), is_metric);
     // What follows from an odd quantity is odd as well, and says nothing more.
     if let (true, Layout::Known(engine, _)) = (odd.is_empty(), layout) {
@@ -176,10 +176,8 @@ pub fn warnings_of_values(name: &str, source: &str) -> Vec<LayoutWarning> {
 /// What is odd about the value of a key that is not in a file, in one line.
 pub fn odd_value(key: &str, text: &str, engine: Option<&Engine>) -> Option<String> {
     let name = key.rsplit('.').find(|part| part.parse::<usize>().is_err())?;
-    let table = key.split('.').next();
-    let is_other = table.is_some_and(|table| OTHERS.contains(&table)) || is_ratio(table, name);
-    let is_metric = engine.is_some_and(is_in_metres);
-    let odd = apart(name, text, 0..0).or_else(|| quantity(name, text, 0..0, is_metric)).filter(|_| !is_other)?;
+    let table = key.split('.').next().filter(|table| !OTHERS.contains(table))?;
+    let odd = of_table(table, name, text, 0..0, engine.is_some_and(Engine::is_in_metres))?;
     Some(format!("{}: {}", odd.message(), odd.right()))
 }
 
@@ -205,21 +203,21 @@ fn odd_quantities(table: &DeTable<'_>, has_parts: bool, is_metric: bool) -> Vec<
         let name = name.get_ref();
         each_in(name, value, &mut |key, text, span| {
             let is_of_a_part = has_parts && key == "radius";
-            if !is_of_a_part && !is_ratio(Some(name), key) {
-                // Below [[crankshaft]] a number alone counts crank radii, and one of them may be in the middle.
-                let is_of_a_crankshaft = name == "crankshaft";
-                let is_metric = is_metric && !is_of_a_crankshaft;
-                let odd_apart = apart(key, text, span.clone()).filter(|_| !is_of_a_crankshaft);
-                odd.extend(odd_apart.or_else(|| quantity(key, text, span, is_metric)));
-            }
+            odd.extend(of_table(name, key, text, span, is_metric).filter(|_| !is_of_a_part));
         });
     }
     odd
 }
 
-/// A crankshaft's speed is how often it turns while the first one turns once.
-fn is_ratio(table: Option<&str>, key: &str) -> bool {
-    table == Some("crankshaft") && key == "speed"
+/// What is odd about a value in a table.
+fn of_table(table: &str, key: &str, text: &str, span: Range<usize>, is_metric: bool) -> Option<LayoutError> {
+    match (table, key) {
+        // How often it turns while the first one turns once.
+        ("crankshaft", "speed") => None,
+        // Here a number alone counts crank radii, and one of the crankshafts may be in the middle.
+        ("crankshaft", _) => quantity(key, text, span, false),
+        _ => apart(key, text, span.clone()).or_else(|| quantity(key, text, span, is_metric)),
+    }
 }
 
 /// Shows every text of a value, with its key and its place.
@@ -233,11 +231,6 @@ fn each_in(key: &str, value: &Spanned<DeValue<'_>>, then: &mut impl FnMut(&str, 
         DeValue::Table(table) => table.iter().for_each(|(key, value)| each_in(key.get_ref(), value, then)),
         _ => {}
     }
-}
-
-/// Whether positions are in metres, a number alone too.
-fn is_in_metres(engine: &Engine) -> bool {
-    engine.length_unit() == LengthUnit::Metre || engine.positions_given() && engine.dimensions().crank_radius.is_some()
 }
 
 /// What is odd about how far throws or crankshafts are apart.
@@ -342,7 +335,7 @@ const LONGEST: i64 = 50;
 /// A position in metres that is beyond any engine, or beyond this one.
 fn longest(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
     let most = integer(LONGEST);
-    if !is_in_metres(engine) {
+    if !engine.is_in_metres() {
         return None;
     }
     let is_far = |at: &&BigRational| at.abs() > most;
