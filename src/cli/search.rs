@@ -7,7 +7,7 @@ use crankstar::engine::{Cycle, CycleOrder};
 use crankstar::exact::Turn;
 use crankstar::file::{parse_angle, parse_number};
 use crankstar::report::{SearchStudy, rising, search_theorems};
-use crankstar::search::{self, FINEST_GRID, Front, Limit, Options, Pieces, Problem, Progress, SearchError, Sizes, Way};
+use crankstar::search::{self, Front, Limit, Options, Pieces, Problem, Progress, SearchError, Sizes, Way};
 use crankstar::shard::Shard;
 
 use super::answer::Answer;
@@ -43,7 +43,7 @@ pub struct Search {
     #[arg(long, value_name = "COUNT")]
     directions: Option<u32>,
     /// Throws at any multiples of 1/N turn, as often as they like, with balanced first-order force
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=FINEST_GRID.into()))]
+    #[arg(long, value_name = "N")]
     grid: Option<u32>,
     /// Compare by neighbours of a bank that fire in succession too
     #[arg(long)]

@@ -369,7 +369,7 @@ fn orders_of_a_cycle_are_read_in_every_spelling_and_nothing_else() {
         assert_eq!(order(text).halves(), halves, "{text}");
     }
     for text in
-        ["", "0", "0/2", "-1", "+1", "1/3", "1.25", "1 ", " 1", "½½", "1000.5", "1001", "99999999999", "1e2", "/2", "."]
+        ["", "0", "0/2", "-1", "+1", "1/3", "1.25", "1 2", "½½", "1000.5", "1001", "99999999999", "1e2", "/2", "."]
     {
         assert!(text.parse::<CycleOrder>().is_err(), "{text}");
     }

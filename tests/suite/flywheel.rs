@@ -277,7 +277,7 @@ fn a_value_at_a_step_says_on_which_side_it_is() {
         let points = "[[0, 300], [45, 2400], [45, -1000], [180, 0], [360, 0]]";
         said("flywheel", &format!("title = 'x'\npoints = {points}\nangles = [{angle}]\n"), &["--format", "markdown"])
     };
-    let words = "At a step torque and load are those behind it.";
+    let words = "At a step, torque and load are the values just after it.";
     for (angle, is_said) in [(45, true), (405, true), (0, true), (90, false), (180, false)] {
         assert_eq!(page(angle).contains(words), is_said, "at {angle}: {}", page(angle));
     }

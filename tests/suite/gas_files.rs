@@ -142,7 +142,7 @@ fn mistakes_in_a_table_name_the_row() {
     let hole = rows(|index| Some(format!("[{}, 1]", 19 * index)));
     assert_told(&text(&hole), 8, &["span 665°"]);
     assert_told(&text("pressure = [[0, 1], [360, 2]]"), 8, &["the rows span 360° of a cycle of 720°"]);
-    assert_told(&text("pressure = [[0, 1]]"), 8, &["a table of 1 rows"]);
+    assert_told(&text("pressure = [[0, 1]]"), 8, &["a table of 1 row"]);
     let bare = text(&rows(|_| None)).replace("unit = 'bar'\n", "");
     assert_told(&bare, 8, &["a pressure needs its unit"]);
     assert_told(&text(&rows(|_| None)).replace("'bar'", "'Bar'"), 7, &["one of mbar, bar"]);
@@ -169,7 +169,7 @@ fn mistakes_in_a_csv_file_name_its_line() {
     };
     for (row, words) in [
         ("60,-1", "row 4: an absolute pressure"),
-        ("60", "a line of 1 cells"),
+        ("60", "a line of 1 cell"),
         ("60;1,5", "cannot read the angle `60;1`"),
         ("60,1,5", "a line of 3 cells"),
         ("60,one", "cannot read the pressure `one`"),

@@ -223,7 +223,6 @@ fn a_wrong_value_of_an_option_is_wrong_usage() {
         &["compare", "I4"],
         &["remedy", "I4", "--planes", "0"],
         &["remedy", "I4", "--speeds", "2000,x"],
-        &["search", "--cylinders", "4", "--cycle", "four-stroke", "--grid", "0"],
         &["search", "--cylinders", "4", "--cycle", "four-stroke", "--limit", "2=-1"],
         &["classify", "I4", "--firing", "--mode-shape", "1,2,3,x"],
         &["figure", "I4", "star:2", "--format", "svg", "--standalone"],

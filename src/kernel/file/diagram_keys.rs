@@ -192,14 +192,14 @@ impl File {
 
     /// Scales measure areas of a drawing, in one of two ways.
     fn scales_are_needed(&self) -> Result<(), LayoutError> {
-        let of_sides = [("torque_scale", &self.torque_scale), ("angle_scale", &self.angle_scale)];
-        let of_sides = || of_sides.iter().find_map(|(key, text)| Some((*key, text.as_ref()?)));
-        if let (Some((key, _)), Some(area)) = (of_sides(), &self.area_scale) {
+        let named = |key, text| Option::map(text, |text| (key, text));
+        let torque = named("torque_scale", self.torque_scale.as_ref());
+        let side = torque.or(named("angle_scale", self.angle_scale.as_ref()));
+        if let (Some((key, _)), Some(area)) = (side, &self.area_scale) {
             let right = "torque_scale with angle_scale, or area_scale alone: either gives the work of an area";
             return Err(LayoutError::new(format!("both {key} and area_scale are given"), right, place(area)));
         }
-        let of_area = self.area_scale.as_ref().map(|text| ("area_scale", text));
-        let Some((key, scale)) = of_sides().or(of_area) else { return Ok(()) };
+        let Some((key, scale)) = side.or(named("area_scale", self.area_scale.as_ref())) else { return Ok(()) };
         let of_triangles = self.triangles.iter().flat_map(|all| all.get_ref());
         let of_triangles = of_triangles.filter_map(|one| one.get_ref().0.area.as_ref());
         let mut areas = self.areas.iter().flat_map(|list| list.get_ref()).chain(of_triangles);

@@ -108,12 +108,11 @@ fn columns(sheet: &Sheet<'_>, cylinders: &[String]) -> Result<Vec<usize>, Layout
     }
     let stray = headings.iter().find(|heading| !named.iter().any(|name| is_of(name, heading)));
     let message = match stray {
-        Some(heading) if !heading.words.is_empty() => {
+        Some(heading) if !heading.words.is_empty() && !cylinders.iter().any(|name| is_of(name, heading)) => {
             let shown: String = heading.words.join(" ").chars().take(40).collect();
             format!("the header names some cylinders, and `{shown}` is none")
         }
-        Some(_) => "the header names some cylinders, and a column has no name".to_owned(),
-        None => "the header names a cylinder over several columns".to_owned(),
+        _ => "the names of cylinders in the header are not one for each column".to_owned(),
     };
     let right = format!("each name once: {}; or no names, for columns in this order", list(cylinders));
     Err(LayoutError::new(message, right, headings.into_iter().find_map(|heading| heading.span).or_else(span)))

@@ -104,7 +104,7 @@ impl Sheet<'_> {
             let words = words(cell);
             heading.unit = heading.unit.or_else(|| words.iter().find_map(|word| units::pressure_unit_named(word)));
             heading.words.extend(words);
-            heading.span.get_or_insert_with(|| span.clone());
+            heading.span = Some(span.clone());
         }
         Ok(())
     }

@@ -64,7 +64,7 @@ impl Moving {
 pub struct PistonAt {
     /// The cylinder, by its index.
     pub cylinder: usize,
-    /// ψ in degrees, 0 where its crank points along its axis, at the dead centre at which it fires.
+    /// ψ in degrees, 0 where its crank points along its axis; with gas, at the dead centre at which it fires.
     pub psi: f64,
     /// How far the piston is from its outermost place, in metres.
     pub way: f64,

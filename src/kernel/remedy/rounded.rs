@@ -48,8 +48,8 @@ fn to_digits(value: f64) -> Option<BigRational> {
 /// Whether the engine as it was written leaves less than [`super::LEAST`] of the load of each order whose weights were rounded: a shaft
 /// against that would be too slight to be proposed.
 pub(super) fn leaves_little(remedy: &Remedy, read: &Engine) -> bool {
-    // About the middle: about a plane far from the engine even the least force has a moment, and one plane of cylinders has none to compare
-    // it with.
+    // About the middle: far from it even a slight force has a large moment, and an engine with all cylinders in one plane has no moment to
+    // compare that with.
     let draft = Draft { reference_plane: ReferencePlane::Middle, ..read.clone().into_draft() };
     let Ok(read) = draft.build() else { return false };
     let Ok(subject) = ComparableEngine::new(&read) else { return false };

@@ -84,11 +84,14 @@ impl Instant {
     }
 }
 
+/// Each part is rounded so many times at most.
+const ROUNDINGS: f64 = 4.0;
+
 /// The sum of parts; 0 where it is no more than their roundings leave of parts that cancel.
 fn sum(parts: Vec<f64>) -> f64 {
     let sizes: f64 = parts.iter().map(|part| part.abs()).sum();
     let sum: f64 = parts.iter().sum();
-    if sum.abs() <= 4.0 * f64::EPSILON * sizes { 0.0 } else { sum }
+    if sum.abs() <= ROUNDINGS * f64::EPSILON * sizes { 0.0 } else { sum }
 }
 
 /// The values of an engine at crank angles.

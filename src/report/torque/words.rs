@@ -50,8 +50,6 @@ pub(super) fn answer(engine: &Engine, torque: &EngineTorque) -> Vec<Text> {
         lines.push(text::power(number::given(speed), power < 0.0, kilowatts));
     }
     lines.extend(torque.evenness.as_ref().map(|evenness| flywheel(engine, evenness)));
-    let given = torque.evenness.as_ref().and_then(|evenness| evenness.given);
-    lines.extend(given.filter(|given| given.irregularity > 2.0).map(|_| text::stops()));
     lines.extend(left_out(engine, torque));
     lines
 }
@@ -62,7 +60,13 @@ fn flywheel(engine: &Engine, evenness: &Evenness) -> Text {
     let inertia = |value: f64| quantity(value, Unit::KILOGRAM_SQUARE_METRE);
     let asked = engine.flywheel();
     let needed = evenness.needed;
+    // A shaft that keeps turning has a coefficient of at most 2.
+    let stops = evenness.given.is_some_and(|given| given.irregularity > 2.0);
     match (evenness.given, &asked.irregularity) {
+        (Some(given), None) if stops => text::stops(energy, inertia(given.inertia)),
+        (Some(given), Some(wanted)) if stops => {
+            text::stops_and_wanted(energy, inertia(given.inertia), number::given(wanted), inertia(needed.inertia))
+        }
         (Some(given), None) => {
             text::given_flywheel(energy, inertia(given.inertia), Number::Decimal(given.irregularity))
         }

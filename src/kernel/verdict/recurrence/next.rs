@@ -35,7 +35,8 @@ impl EveryOrderTheorem {
     /// The lowest order of force or moment that is left.
     pub fn first_left(&self, engine: &Engine, quantity: Planar) -> FirstLeft {
         match self {
-            EveryOrderTheorem::Period(theorem) => of_both(quantity, &theorem.force, &theorem.moment)
+            EveryOrderTheorem::Period(theorem) => quantity
+                .choose(&theorem.force, &theorem.moment)
                 .first
                 .as_ref()
                 .map_or(FirstLeft::Nothing, |first| FirstLeft::Order(first.direct.order, first.shape)),
@@ -48,7 +49,7 @@ impl EveryOrderTheorem {
         let last = told.iter().copied().max().unwrap_or(1);
         match self {
             EveryOrderTheorem::Period(theorem) => {
-                let of = |quantity: &Planar| of_both(*quantity, &theorem.force, &theorem.moment).survivors();
+                let of = |quantity: &Planar| quantity.choose(&theorem.force, &theorem.moment).survivors();
                 let every: Vec<_> = quantities.iter().map(of).collect();
                 let beyond = last.max(theorem.period) + theorem.period + 2;
                 let mut orders = (1..=beyond).filter(|order| *order == 1 || order % 2 == 0);
@@ -62,7 +63,7 @@ impl EveryOrderTheorem {
 
 impl Recurrences {
     fn first_left(&self, engine: &Engine, quantity: Planar) -> FirstLeft {
-        let both = of_both(quantity, &self.force, &self.moment);
+        let both = quantity.choose(&self.force, &self.moment);
         let (sources, known) = (Sources::new(engine, self.masses), Coefficients::default());
         for order in 1..=MOST_LOOKED_THROUGH {
             if order > 1 && both.iter().all(|one| one.at(order) == AtOrder::Zero) {
@@ -84,7 +85,7 @@ impl Recurrences {
     }
 
     fn next_left(&self, quantities: &[Planar], last: u32, told: &[u32]) -> NextLeft {
-        let all = || quantities.iter().flat_map(|quantity| of_both(*quantity, &self.force, &self.moment));
+        let all = || quantities.iter().flat_map(|quantity| quantity.choose(&self.force, &self.moment));
         if !told.contains(&1) {
             let mut whole = quantities.iter().map(|quantity| self.first.whole(*quantity));
             if whole.clone().any(|whole| whole.is_left()) {
@@ -107,13 +108,6 @@ impl Recurrences {
             true => NextLeft::None,
             false => NextLeft::NotKnown,
         }
-    }
-}
-
-fn of_both<T>(quantity: Planar, force: T, moment: T) -> T {
-    match quantity {
-        Planar::Force => force,
-        Planar::Moment => moment,
     }
 }
 
