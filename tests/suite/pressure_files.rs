@@ -161,8 +161,8 @@ fn a_header_that_names_some_cylinders_names_each_once() {
     };
     for (head, words) in [
         ("angle,p4 [bar],p3 [bar],p2 [bar],p9 [bar]\n", "`p9 bar` is none"),
-        ("angle,p4,p3,p2\n", "a column has no name"),
-        ("# measured\nangle,p4,p3,p2,p4\n", "a cylinder over several columns"),
+        ("angle,p4,p3,p2\n", "not one for each column"),
+        ("# measured\nangle,p4,p3,p2,p4\n", "not one for each column"),
         ("angle,p1,p2,p3,sum\n", "`sum` is none"),
     ] {
         let error = read_below(head).expect_err(head);
