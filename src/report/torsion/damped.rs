@@ -53,7 +53,8 @@ fn around(middle: f64, half_width: f64) -> Vec<f64> {
     std::iter::once(middle).chain(beside.flat_map(|far| [middle * (1.0 - far), middle * (1.0 + far)])).collect()
 }
 
-fn largest(torques: &[Complex<f64>]) -> (usize, f64) {
+/// The largest of these torques and its place, the first of equal ones.
+pub(super) fn largest(torques: &[Complex<f64>]) -> (usize, f64) {
     first_of_largest(torques.iter().map(|torque| torque.norm()).enumerate(), |one| one.1).unwrap_or_default()
 }
 

@@ -1,9 +1,10 @@
 //! How far does each order of the torque twist the shaft at the speed of the layout? Without damping, away from critical speeds alone.
 
+use super::damped::largest;
 use super::study::TorsionStudy;
 use super::vibration::omega;
 use crate::engine::CycleOrder;
-use crate::torsion::{CriticalSpeeds, first_of_largest, shaft_torques};
+use crate::torsion::{CriticalSpeeds, shaft_torques};
 
 /// Nearer to a natural frequency than this part of it, an undamped shaft says nothing of a real one.
 const NEAR: f64 = 0.05;
@@ -47,9 +48,7 @@ pub(super) fn forced(study: &TorsionStudy, speed: f64) -> Vec<ForcedTwist> {
     let of_order = |order: CycleOrder| {
         let hertz = order.hertz(speed);
         let twist = study.twists(train, order, speed)?;
-        let loads = shaft_torques(train, omega(order, speed), &twist);
-        let loads = loads[..train.shafts].iter().map(|torque| torque.norm()).enumerate();
-        let (shaft_number, shaft) = first_of_largest(loads, |one| one.1).unwrap_or_default();
+        let (shaft_number, shaft) = largest(&shaft_torques(train, omega(order, speed), &twist)[..train.shafts]);
         let is_near = |mode: &CriticalSpeeds| !is_damped && (hertz / mode.mode.hertz() - 1.0).abs() < NEAR;
         Some(ForcedTwist {
             order,
