@@ -156,7 +156,7 @@ impl Ranges {
     /// The sweeps of the flags, then those of the keys.
     fn parameters(&self, template: &Template) -> Result<Vec<Parameter>, Failure> {
         if !self.are_given() {
-            return Err(Failure::misuse("nothing is swept; give --bank-angle 0..180:10 or --set KEY=FROM..TO:STEP"));
+            return Err(Failure::misuse(sweep::NOTHING_SWEPT));
         }
         let given = self.flags().into_iter().filter_map(|(flag, range)| Some((flag, range?)));
         let short = given.map(|(flag, range)| Parameter::short_cut(flag, range, template));

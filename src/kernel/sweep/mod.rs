@@ -34,7 +34,7 @@ pub use parameter::{Parameter, SHORT_CUTS};
 pub use range::{MOST_POINTS, Range};
 pub use record::Sweep;
 pub use run::sweep;
-pub use stream::Stream;
+pub use stream::{NOTHING_SWEPT, Stream};
 pub use swept_engine::{SweptEngine, SweptOrder, judge};
 pub use zeros::{ZeroSet, Zeros};
 

@@ -214,11 +214,14 @@ fn rising<T: Ord + Copy>(all: &[T]) -> Vec<T> {
     all.iter().copied().collect::<BTreeSet<T>>().into_iter().collect()
 }
 
+/// What is said of a sweep without a range.
+pub const NOTHING_SWEPT: &str = "nothing is swept; give --bank-angle 0..180:10 or --set KEY=FROM..TO:STEP";
+
 /// How many points a sweep over these parameters has.
 fn count(parameters: &[Parameter]) -> Result<usize, SweepError> {
     let too_many = || SweepError::new(format!("the map has more than {MOST_COUNTED} points; take larger steps"));
     match parameters {
-        [] => Err(SweepError::new("nothing is swept; give --bank-angle 0..180:10 or --set KEY=FROM..TO:STEP")),
+        [] => Err(SweepError::new(NOTHING_SWEPT)),
         [one] => Ok(one.range.count()),
         [one, other] if one.key == other.key => {
             Err(SweepError::new(format!("`{}` is swept twice; two different keys make a map", one.key)))
