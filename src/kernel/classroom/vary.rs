@@ -14,7 +14,7 @@ use crate::claim::student::one_star;
 use crate::claim::{SUMS, Star};
 use crate::engine::{Convention, Cylinder, Engine, LengthUnit, Rotation, SeenFrom};
 use crate::exact::Turn;
-use crate::file::exact_number;
+use crate::file::{bare_number, exact_number};
 use crate::proof::Sense;
 
 /// What is varied.
@@ -160,8 +160,7 @@ impl Plain {
         match self.unit {
             LengthUnit::Spacing => exact_number(length),
             LengthUnit::Metre => {
-                let millimetres = exact_number(&(length * BigRational::from_integer(1000.into())));
-                format!("\"{} mm\"", millimetres.trim_matches('"'))
+                format!("\"{} mm\"", bare_number(&(length * BigRational::from_integer(1000.into()))))
             }
         }
     }

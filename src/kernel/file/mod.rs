@@ -61,8 +61,8 @@ pub use number::{NumberError, parse_number};
 pub use quantities::{parse_angle, parse_length, parse_radius, shown_position};
 pub use replaced::with_value;
 pub use rewritten::{
-    balancer_table, comment, counted_from_its_throw, counterweight_in_multiples, counterweight_table, exact_number,
-    without_balancers, without_counterweights,
+    balancer_table, bare_number, comment, counted_from_its_throw, counterweight_in_multiples, counterweight_table,
+    exact_number, without_balancers, without_counterweights,
 };
 pub use rotor_keys::{Rotor, RotorMass, parse_rotor};
 pub use schema::{number_kind, schema, tables};

@@ -7,7 +7,7 @@ use serde_spanned::Spanned;
 use super::error::LayoutError;
 use super::linear;
 use super::number::parse_number;
-use super::rewritten::exact_number;
+use super::rewritten::bare_number;
 use super::units;
 use super::written::{Column, Text, Values, place};
 use crate::engine::{Cylinder, DELTA, LengthUnit, Linear, MOST_CYLINDERS, PHI, Throw};
@@ -214,7 +214,7 @@ pub(super) fn not_too_many(count: usize, what: &str) -> Result<(), LayoutError> 
 /// A position along the shaft as a person writes it: millimetres where the layout is metric.
 pub fn shown_position(at: &BigRational, unit: LengthUnit) -> String {
     match unit {
-        LengthUnit::Metre => format!("{} mm", exact_number(&(at * integer(1000))).trim_matches('"')),
+        LengthUnit::Metre => format!("{} mm", bare_number(&(at * integer(1000)))),
         LengthUnit::Spacing => at.to_string(),
     }
 }

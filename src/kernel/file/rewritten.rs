@@ -70,6 +70,11 @@ pub fn exact_number(value: &BigRational) -> String {
     if written.contains('/') || whole.len() > 18 { format!("\"{value}\"") } else { written }
 }
 
+/// The same without quotes: as a person reads it, or before a unit.
+pub fn bare_number(value: &BigRational) -> String {
+    exact_number(value).trim_matches('"').to_owned()
+}
+
 /// The text of a layout file without `[[balancer]]` tables.
 pub fn without_balancers(text: &str) -> String {
     let mut is_left_out = false;

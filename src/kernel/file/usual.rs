@@ -13,7 +13,7 @@ use toml::de::{DeTable, DeValue};
 use super::error::LayoutError;
 use super::layout::Layout;
 use super::quantities::integer;
-use super::rewritten::exact_number;
+use super::rewritten::{bare_number, exact_number};
 use super::{quantities, units, written};
 use crate::engine::{Engine, PressureLaw};
 
@@ -167,10 +167,8 @@ pub fn warnings(name: &str, source: &str, layout: &Layout) -> Vec<LayoutWarning>
 /// What is odd about quantities by themselves: of a file that is refused, for the reason may be a unit, or of one that describes no engine.
 pub fn warnings_of_values(name: &str, source: &str) -> Vec<LayoutWarning> {
     let Ok(table) = written::table(source) else { return Vec::new() };
-    odd_quantities(table.get_ref(), false, false)
-        .into_iter()
-        .map(|odd| LayoutWarning(odd.in_file(name, source)))
-        .collect()
+    let odd = odd_quantities(table.get_ref(), false, false);
+    odd.into_iter().map(|odd| LayoutWarning(odd.in_file(name, source))).collect()
 }
 
 /// What is odd about the value of a key that is not in a file, in one line.
@@ -235,17 +233,16 @@ fn each_in(key: &str, value: &Spanned<DeValue<'_>>, then: &mut impl FnMut(&str, 
 
 /// What is odd about how far throws or crankshafts are apart.
 fn apart(key: &str, text: &str, span: Range<usize>) -> Option<LayoutError> {
-    let (_, at_zero, below) = [
-        (
-            "spacing",
+    let (at_zero, below) = match key {
+        "spacing" => (
             "throws one spacing apart are then in one plane",
             "the throws then stand in the opposite order along the shaft",
         ),
-        ("distance", "the crankshafts are then on one axis", "the crankshafts have then changed sides"),
-        ("circumradius", "the crankshafts are then on one axis", "the crankshafts have then changed sides"),
-    ]
-    .into_iter()
-    .find(|(apart, ..)| *apart == key)?;
+        "distance" | "circumradius" => {
+            ("the crankshafts are then on one axis", "the crankshafts have then changed sides")
+        }
+        _ => return None,
+    };
     let length = (LENGTH.read)(text).filter(|length| !length.is_positive())?;
     let (message, right) = match length.is_zero() {
         true => (format!("{key} is 0"), format!("{at_zero}: how far are they apart?")),
@@ -262,18 +259,14 @@ fn quantity(key: &str, text: &str, span: Range<usize>, is_metric: bool) -> Optio
     let (least, most) = (thousandths(*least), thousandths(*most));
     let is_usual = |value: &BigRational| value.is_zero() || (value.abs() >= least && value.abs() <= most);
     let is_read = |value: &BigRational| !value.is_negative() || *sign == Sign::Either;
-    let is_length = match kind.alone {
-        Alone::BaseUnit => true,
-        Alone::Spacing => is_metric,
-        Alone::CrankRadius => false,
-    };
-    if !is_length && units::length(text).is_ok_and(|length| !length.has_unit) {
+    let counts_a_length = kind.alone == Alone::BaseUnit || kind.alone == Alone::Spacing && is_metric;
+    if !counts_a_length && units::length(text).is_ok_and(|length| !length.has_unit) {
         return None;
     }
     let value = (kind.read)(text).filter(|value| is_read(value) && !is_usual(value))?;
     let meant = kind.meant.iter().map(|unit| format!("{} {unit}", text.trim()));
     let meant = meant.into_iter().find(|text| (kind.read)(text).is_some_and(|value| is_usual(&value)));
-    let shown = |value: &BigRational| format!("{}{}", exact_number(value).trim_matches('"'), kind.unit);
+    let shown = |value: &BigRational| format!("{}{}", bare_number(value), kind.unit);
     let engines = match least.is_zero() {
         true => format!("engines have at most {}", shown(&most)),
         false => format!("engines have {} to {}", shown(&least), shown(&most)),
@@ -320,8 +313,8 @@ fn together(engine: &Engine, table: &DeTable<'_>) -> Vec<LayoutError> {
         if let Some((cylinder, radius)) = heavy {
             let message = format!(
                 "a reciprocating mass of {} kg at a stroke of {} mm is heavier than that of any engine",
-                exact_number(&(mass * &cylinder.reciprocating_mass)).trim_matches('"'),
-                exact_number(&(radius * integer(2000))).trim_matches('"')
+                bare_number(&(mass * &cylinder.reciprocating_mass)),
+                bare_number(&(radius * integer(2000)))
             );
             odd.push(LayoutError::new(message, "is the unit right? such as \"450 g\"", Some(span)));
         }
@@ -347,16 +340,16 @@ fn longest(engine: &Engine, table: &DeTable<'_>) -> Option<LayoutError> {
     let found = bearing().or_else(|| Some(("a cylinder is at", positions().find(is_far)?, spacing())));
     let (first, last) = (positions().min()?, positions().max()?);
     let apart = last - first;
-    let shown = |metres: &BigRational| exact_number(metres).trim_matches('"').to_owned();
     if let Some((what, at, span)) = (apart > most).then(|| ("the cylinders reach over", &apart, spacing())).or(found) {
         let right = format!("no engine is longer than {LONGEST} m: is the unit right? such as \"88 mm\"");
-        return Some(LayoutError::new(format!("{what} {} m", shown(at)), right, span));
+        return Some(LayoutError::new(format!("{what} {} m", bare_number(at)), right, span));
     }
     // Moments are taken about no plane that is farther from the engine than ten of its lengths.
     let farthest = if apart.is_zero() { most } else { most.min(&apart * integer(10)) };
     let plane = Some(engine.reference_plane()).filter(|_| engine.reference_plane_given())?;
-    let right = format!("the cylinders stand from {} m to {} m: is the unit right?", shown(first), shown(last));
-    let message = format!("the reference plane is at {} m", shown(plane));
+    let right =
+        format!("the cylinders stand from {} m to {} m: is the unit right?", bare_number(first), bare_number(last));
+    let message = format!("the reference plane is at {} m", bare_number(plane));
     let odd = LayoutError::new(message, right, place(table, &["reference_plane"]));
     ((plane - last).max(first - plane) > farthest).then_some(odd)
 }

@@ -3,7 +3,7 @@
 use num_rational::BigRational;
 
 use super::with_pi::WithPi;
-use crate::file::exact_number;
+use crate::file::bare_number;
 
 /// An area between two crossings.
 #[derive(Clone, Debug)]
@@ -25,18 +25,13 @@ pub(super) struct Drawn {
     pub lobes: Vec<Lobe>,
 }
 
-/// A number as a file has it.
-fn shown(number: &BigRational) -> String {
-    exact_number(number).trim_matches('"').to_owned()
-}
-
 /// Why a diagram has no answer.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum NoFluctuation {
     /// The load takes another work in a cycle than the engine gives: their means in N m.
     #[error(
         "the load takes another work in a cycle than the engine gives, so that no speed is kept: their means, {} and {} N m, must be equal",
-        shown(.load), shown(.torque)
+        bare_number(.load), bare_number(.torque)
     )]
     Unequal {
         /// The mean of the load.
